@@ -35,20 +35,20 @@ pub struct Advice {
 
 /// A value of a setting.
 #[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub struct AdvisedValue {
     /// The name of a button that sets it.
     pub label: String,
     /// The setting, by its id among those of Build.
     pub setting: &'static str,
-    /// The value, in the unit of the setting.
-    pub value: f64,
+    /// The value, in the unit of the setting; null for what an absent one stands for.
+    pub value: Option<f64>,
 }
 
 impl AdvisedValue {
     fn scale(denominator: f64) -> AdvisedValue {
         let label = format!("Scale 1:{denominator}");
-        AdvisedValue { label, setting: "scale", value: denominator }
+        AdvisedValue { label, setting: "scale", value: Some(denominator) }
     }
 }
 
@@ -59,6 +59,7 @@ impl Build {
             self.advice_on_scale(report),
             self.advice_on_pieces(report),
             self.advice_on_joint(report),
+            self.advice_on_discs(),
         ];
         all.into_iter().flatten().collect()
     }
@@ -88,7 +89,7 @@ impl Build {
             choices: vec![AdvisedValue {
                 label: format!("Splice plates {}", words::millimetres_limit(width)),
                 setting: "splice",
-                value: width,
+                value: Some(width),
             }],
         })
     }
@@ -112,11 +113,36 @@ impl Build {
             let label = format!("Joint {}", self.as_entered(value));
             let is_new = choices.iter().all(|other| other.label != label);
             if is_new && self.made(scale, value) >= made {
-                choices.push(AdvisedValue { label, setting: "joint", value });
+                choices.push(AdvisedValue { label, setting: "joint", value: Some(value) });
             }
         }
-        choices.sort_by(|a, b| a.value.total_cmp(&b.value));
+        choices.sort_by(|a, b| a.value.unwrap_or(0.0).total_cmp(&b.value.unwrap_or(0.0)));
         (!choices.is_empty()).then_some(Advice { words, choices })
+    }
+
+    /// Node discs for fins that nothing joins, if there is room for some.
+    fn advice_on_discs(&self) -> Option<Advice> {
+        if self.settings.disc != Some(0.0) || self.fins.len() < 2 {
+            return None;
+        }
+        let frame = self.frame_of(&BuildSettings { disc: None, ..self.settings.clone() })?;
+        let all = frame.discs.iter().flatten().count();
+        let made = frame.discs.iter().flatten().flatten().count();
+        let room = match made {
+            0 => return None,
+            _ if made == all => String::new(),
+            _ => format!(" {made} of {all} nodes have room for one."),
+        };
+        Some(Advice {
+            words: format!(
+                "Nothing joins the fins. Node discs of the same material do, into which they are pushed.{room}"
+            ),
+            choices: vec![AdvisedValue {
+                label: "Node discs of the smallest size".to_owned(),
+                setting: "disc",
+                value: None,
+            }],
+        })
     }
 
     /// Formats a length of the building as its field takes it, and as it is on the sheet if that reads
@@ -170,7 +196,7 @@ impl Build {
                 panels.filter(|&f| self.outline(f, settings).is_ok()).count()
             }
             Product::Fins if is_now => self.frame.as_ref().map_or(0, Frame::made),
-            Product::Fins => self.frame_at(scale).map_or(0, |frame| frame.made()),
+            Product::Fins => self.frame_of(settings).map_or(0, |frame| frame.made()),
             Product::Paper if is_now => self.paper.as_ref().map_or(0, PaperModel::made),
             Product::Paper => {
                 PaperModel::made_at(&self.surface, &self.flat, self.paper_size(scale))
@@ -244,8 +270,9 @@ mod tests {
 
     fn follow(own: &mut BuildSettings, AdvisedValue { setting, value, .. }: &AdvisedValue) {
         match *setting {
-            "joint" => own.joint = *value,
-            _ => own.scale = *value,
+            "disc" => own.disc = *value,
+            "joint" => own.joint = value.expect("a number"),
+            _ => own.scale = value.expect("a number"),
         }
     }
 
@@ -275,7 +302,8 @@ mod tests {
             let (product, sheet) = (Product::Paper, [420.0, 297.0]);
             let own = BuildSettings { product, sheet, scale, ..BuildSettings::default() };
             let given = advice(&floor(), &own);
-            given.iter().flat_map(|own| &own.choices).map(|own| own.value).collect::<Vec<_>>()
+            let choices = given.iter().flat_map(|own| &own.choices);
+            choices.filter_map(|own| own.value).collect::<Vec<_>>()
         };
         assert_eq!([at(25.0), at(50.0), at(200.0)], [vec![50.0], vec![], vec![50.0]]);
     }
@@ -312,7 +340,7 @@ mod tests {
             advice(&mesh, &own)
                 .iter()
                 .flat_map(|own| &own.choices)
-                .map(|own| own.value)
+                .filter_map(|own| own.value)
                 .collect::<Vec<f64>>()
         };
         // The folds take 1.7 mm from either side: of 2 mm at 1:50, or of 8 mm.
@@ -413,6 +441,28 @@ mod tests {
     }
 
     #[test]
+    fn discs_are_advised_for_fins_that_nothing_joins_where_there_is_room() {
+        let positions = (0..9).map(|k| [f64::from(k % 3), f64::from(k / 3), 0.0]).collect();
+        let faces = [[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]].into_iter().collect();
+        let mesh = Mesh { positions, faces, ..Mesh::default() };
+        let (product, scale, thickness) = (Product::Fins, 10.0, 3.0);
+        let own = |distance: f64| {
+            let distance = Some(distance);
+            let own = BuildSettings { product, scale, thickness, distance, ..Default::default() };
+            let build = Build::new(&mesh, &own, UNITS[0], &Stand::default()).expect("panels");
+            (build.advice_on_discs(), own)
+        };
+        let (advice, mut followed) = own(0.3);
+        let advice = advice.expect("there is room");
+        assert!(advice.words.ends_with("they are pushed."), "{advice:?}");
+        follow(&mut followed, &advice.choices[0]);
+        let build = Build::new(&mesh, &followed, UNITS[0], &Stand::default()).expect("panels");
+        assert_eq!((build.discs.len(), build.advice_on_discs()), (9, None));
+        // Fins of 1 mm have no seat.
+        assert_eq!(own(0.01).0, None);
+    }
+
+    #[test]
     fn no_scale_is_advised_at_which_fins_are_cut_away() {
         // A long panel with ends of 0.28 m: fins of 8 mm at 1:20, of nothing at 1:50.
         let frame = |width: f64| {
@@ -426,8 +476,8 @@ mod tests {
             let own = BuildSettings { distance, product, scale, thickness, ..Default::default() };
             let build = Build::new(&mesh, &own, unit, &Stand::default()).expect("a panel");
             assert_eq!((build.not_cut.len(), build.layout.too_large.len()), (0, 2));
-            build.advice(&build.report()).len()
+            build.advice_on_scale(&build.report()).map(|advice| advice.choices.len())
         };
-        assert_eq!([frame(3.0), frame(0.28)], [1, 0]);
+        assert_eq!([frame(3.0), frame(0.28)], [Some(1), None]);
     }
 }

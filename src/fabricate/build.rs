@@ -91,13 +91,14 @@ pub struct NotCut {
     pub is_part: bool,
 }
 
-/// Numbers of what is left out of parts, or written too small.
+/// Numbers of what is left out of parts.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub struct LeftOut {
     /// Neighbours' names without room, on parts that are on a sheet.
     pub dropped_names: usize,
-    /// Parts on a sheet whose own name, or of one of whose panels, is lower than 2 mm.
+    /// Parts on a sheet on which their own name, or that of one of their panels, has no room for letters
+    /// of 2 mm: it is not engraved.
     pub small_names: usize,
     /// Holes without room.
     pub dropped_holes: usize,
@@ -216,7 +217,7 @@ impl Build {
         if !are_as_asked {
             build.faults.push(Fault::no_rows());
         }
-        build.cut();
+        build.cut(stand);
         if build.printed_page() != build.settings.page {
             build.faults.push(Fault::too_many_pages(build.pages()));
         }
@@ -349,7 +350,7 @@ impl Build {
 
     /// What the lines on a sheet mean: which side is seen, or how the letters of a part lie in the
     /// model, and where its arrow points.
-    fn legend(&self) -> String {
+    pub(super) fn legend(&self) -> String {
         let side = match self.settings.product {
             _ if self.surface.one_sided.is_some() => "",
             // Above and below as the letters stand, which is outwards.
@@ -359,11 +360,11 @@ impl Build {
             Product::Fins => {
                 "FIN NAMES READ FROM FIRST TO SECOND NODE, OUTSIDE UP, MODEL EDGE AT THE TOP"
             }
-            Product::Paper if self.settings.print_inside => "SEEN FROM INSIDE, MIRRORED",
+            _ if self.settings.print_inside => "SEEN FROM INSIDE, MIRRORED",
             Product::Panels | Product::Paper => "SEEN FROM OUTSIDE",
         };
         let arrow = match self.settings.product {
-            Product::Panels => "ARROW: TO ITS FIRST EDGE IN THE MODEL",
+            Product::Panels => "ARROW: UP, IF LEVEL TO THE TOP OF KEY 1",
             Product::Fins if self.discs.is_empty() => "ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
             Product::Fins => "ARROW OF A FIN: TO THE SIDE AT THE EDGE OF THE MODEL",
             Product::Paper => match (self.settings.fold, self.settings.print_inside) {
@@ -382,9 +383,13 @@ impl Build {
         };
         let discs = "DISCS SEEN FROM OUTSIDE, ARROW AT THE FIRST SLOT";
         let discs = if self.discs.is_empty() { "" } else { discs };
+        let is_bevelled = self.parts.iter().any(|part| part.bevels.iter().any(Option::is_some));
+        let bevels = "AT EDGES: BEVEL IN DEGREES, + CUTS THE INSIDE BACK";
+        let bevels = if is_bevelled { bevels } else { "" };
         let splices = "FRAME AT A SEAM: PLATE BEHIND IT";
         let splices = if self.splices.is_empty() { "" } else { splices };
-        let words = [side, arrow, discs, splices].into_iter().filter(|words| !words.is_empty());
+        let words =
+            [side, arrow, bevels, discs, splices].into_iter().filter(|words| !words.is_empty());
         words.collect::<Vec<_>>().join(", ")
     }
 

@@ -5,9 +5,10 @@ use super::advice::Advice;
 use super::build::Build;
 use super::card::{BuildCard, OffsetReport};
 use super::check_card::CheckRow;
+use super::file::Drawing;
 use super::offset::Choice;
 use super::paper::LEAST_TAB;
-use super::report::{BuildReport, FrameReport};
+use super::report::{BuildReport, FrameReport, JOINT_STEP};
 use super::tighten::PanelSuggestion;
 use crate::scene::{BuildSettings, Fold, OffsetKind, Product, panel_adjective};
 use crate::words;
@@ -28,6 +29,10 @@ pub struct CheckWords {
     pub limit: String,
     /// Whether it is within the limit, and how many elements are not.
     pub state: String,
+    /// What it measures, as a sentence.
+    pub meaning: &'static str,
+    /// What helps, as a sentence, if it is not within the limit; else empty.
+    pub remedy: &'static str,
 }
 
 /// The card in words.
@@ -74,6 +79,29 @@ impl CheckRow {
             Some(false) => "not satisfied".to_owned(),
             None => String::new(),
         };
+        let [meaning, remedy] = match self.id {
+            "beam_warp" => [
+                "How far the four corners of a beam are from one plane: a warped beam cannot be cut from a board.",
+                "Tighten the panels, or choose something else under “Measured at”.",
+            ],
+            "distance_error" => [
+                "How much the distance between the shape and its offset differs from place to place.",
+                "Tighten the panels, or choose something else under “Measured at”.",
+            ],
+            "lean" => [
+                "How far the axis of a node leans from the normal of the surface.",
+                "Choose something else under “Measured at”, or increase “Upright axes” where that is shown.",
+            ],
+            "safe_distance" => [
+                "The distance of the offset: beyond its limit edges flip.",
+                "Bring “Distance” nearer to 0.",
+            ],
+            _ => [
+                "How far the corners of a panel are from one plane: others cannot be cut from flat sheet.",
+                "Tighten the panels, or divide them into triangles, which are flat.",
+            ],
+        };
+        let remedy = if self.met == Some(false) { remedy } else { "" };
         let limit = |limit| match self.unit {
             "deg" => format!("≤ {}°", words::brief(limit)),
             _ => format!("≤ {}", words::millimetres_limit(limit)),
@@ -94,6 +122,8 @@ impl CheckRow {
                 None => String::new(),
             },
             state,
+            meaning,
+            remedy,
         }
     }
 
@@ -181,6 +211,14 @@ impl BuildReport {
         }
     }
 
+    /// The smallest part, with its size on the sheet; empty without parts.
+    pub(super) fn smallest_in_words(&self) -> String {
+        self.smallest_part_mm.map_or_else(String::new, |[length, width]| {
+            let [length, width] = [length, width].map(words::millimetres);
+            format!("{}, {width} wide and {length} long", self.smallest_part)
+        })
+    }
+
     fn warnings(&self, settings: &BuildSettings) -> Vec<String> {
         let bare = self.paper.as_ref().map_or(&[][..], |paper| &paper.without_tab);
         // With tabs, they are among those without one.
@@ -214,6 +252,15 @@ impl BuildReport {
                 ),
             ),
             named(&self.not_cut, format!("Not cut: {uncut}.")),
+            named(
+                &self.narrow,
+                format!(
+                    "Narrower than {} on the sheet: {}. The smallest part is {}.",
+                    words::millimetres_limit(settings.limits.part),
+                    some(&self.narrow),
+                    self.smallest_in_words()
+                ),
+            ),
             counted(
                 left.dropped_names,
                 format!("No room for {} of neighbours.", count(left.dropped_names, "name")),
@@ -225,7 +272,7 @@ impl BuildReport {
             counted(
                 left.small_names,
                 words::count(left.small_names, "part has", "parts have")
-                    + " a name smaller than 2 mm.",
+                    + " no room for letters of 2 mm; the tables say where each name is.",
             ),
             counted(
                 left.dropped_holes,
@@ -299,7 +346,7 @@ impl BuildReport {
             ("", None) => "no joint".to_owned(),
             (why, _) => format!("a joint that is not known ({why})"),
         };
-        match [of_side(0), of_side(1)] {
+        let needed = match [of_side(0), of_side(1)] {
             [outside, inside] if outside == inside => format!("{panels} need {outside}."),
             [outside, inside] => {
                 // What is the same for both is said once.
@@ -307,7 +354,41 @@ impl BuildReport {
                 let inside = of_both.unwrap_or(&inside);
                 format!("{panels} need {outside} outside the surface, and {inside} inside.")
             }
+        };
+        needed + &self.steepest() + &self.served()
+    }
+
+    /// Between which panels the least joint of each side is needed, as a sentence after another one; empty
+    /// if none is needed.
+    fn steepest(&self) -> String {
+        let of_side = |(side, k): (&str, usize)| {
+            self.least_joint_mm[k].map(|_| format!("{side} between {}", self.least_joint_at[k]))
+        };
+        let sides: Vec<String> =
+            [("outside", 0), ("inside", 1)].into_iter().filter_map(of_side).collect();
+        match sides.is_empty() {
+            true => String::new(),
+            false => format!(" It is needed {}.", sides.join(", ")),
         }
+    }
+
+    /// On which side the joint that is set is enough, as a sentence after another one; empty if there is
+    /// none, none is needed, or it is enough on neither side.
+    fn served(&self) -> String {
+        let is_enough = |k: usize| {
+            self.no_least_joint[k].is_empty()
+                && self.least_joint_mm[k].is_none_or(|least| least - self.joint_mm < JOINT_STEP)
+        };
+        let sides = match [is_enough(0), is_enough(1)] {
+            _ if self.joint_mm < JOINT_STEP || self.least_joint_mm == [None, None] => {
+                return String::new();
+            }
+            [true, true] => "on both sides",
+            [true, false] => "outside only",
+            [false, true] => "inside only",
+            [false, false] => return String::new(),
+        };
+        format!(" The joint of {} is enough {sides}.", words::millimetres(self.joint_mm))
     }
 }
 
@@ -317,13 +398,27 @@ impl Build {
         let advice = self.advice(report);
         let joint = report.joint(self.settings.thickness);
         let is_advised = advice.iter().any(|advice| advice.words == joint);
+        let mut warnings = report.warnings(&self.settings);
+        warnings.extend(self.legend_left_out());
         BuildWords {
             sheets: report.sheets_in_words(),
-            warnings: report.warnings(&self.settings),
+            warnings,
             joint: if is_advised { String::new() } else { joint },
             advice,
             card: self.card_words(&report.card),
         }
+    }
+
+    /// Says that the margin of the sheets has no room for their legend, if it has none.
+    fn legend_left_out(&self) -> Option<String> {
+        let BuildSettings { sheet: [width, _], margin, outlines_only, .. } = self.settings;
+        let legend = self.legend();
+        let has_room = Drawing::height_in_margin(&legend, width, margin).is_some();
+        let is_asked = !outlines_only && !legend.is_empty() && !self.layout.sheets.is_empty();
+        (is_asked && !has_room).then(|| {
+            "The margin of the sheets has no room for their legend; it is in summary.csv."
+                .to_owned()
+        })
     }
 
     /// The card of this build in words.

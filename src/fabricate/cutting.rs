@@ -5,16 +5,19 @@ use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, Splice};
 use super::fault::Fault;
 use super::panel::{
-    PieceSide, SplicePlate, Spliced, check_size, corners, distinct_corners, inset, is_simple,
-    smallest_box, smallest_box_within, spliced,
+    PieceSide, SplicePlate, Spliced, Stand, check_size, corners, direction_of, distinct_corners,
+    inset, is_simple, smallest_box, smallest_box_within, spliced,
 };
 use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names};
+use super::report::JOINT_STEP;
 use super::sheet::{
     CutPart, Hole, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
 use super::surface::{beam_name, node_name};
+use super::view_axes::upwards_in;
 use crate::math::plane::{Point2, area, bounds, length, minus, rotated};
-use crate::scene::{BuildSettings, Product};
+use crate::math::{cosine, sine};
+use crate::scene::{BuildSettings, Product, Up};
 
 /// Why a panel has no outline whose sides are moved inwards by `by`.
 fn why_no_outline(panel: &[Point2], by: f64) -> &'static str {
@@ -28,16 +31,19 @@ fn why_no_outline(panel: &[Point2], by: f64) -> &'static str {
 }
 
 impl Build {
-    /// Cuts all parts, lays them out, and names them.
-    pub(super) fn cut(&mut self) {
+    /// Cuts all parts of a shape that stands like this, lays them out, and names them.
+    pub(super) fn cut(&mut self, stand: &Stand) {
         match self.settings.product {
-            Product::Panels => self.cut_panels(),
+            Product::Panels => self.cut_panels(stand.up == Up::Z),
             Product::Fins => self.cut_fins(),
             Product::Paper => self.cut_paper(),
         }
         self.drill();
         self.cut_discs();
         self.relieve();
+        if self.is_turned_over() {
+            self.parts.iter_mut().for_each(CutPart::turn_over);
+        }
         let BuildSettings { sheet, margin, gap, order, outlines_only, .. } = self.settings;
         self.layout = lay_out(&self.parts, SheetSize { size: sheet, margin, gap }, order);
         if !outlines_only {
@@ -45,9 +51,19 @@ impl Build {
         }
     }
 
-    fn cut_panels(&mut self) {
+    /// Whether panels lie on their sheets with their inside up.
+    pub(super) fn is_turned_over(&self) -> bool {
+        self.settings.print_inside && self.settings.product == Product::Panels
+    }
+
+    /// A point or a vector of a panel as it is cut, in mm, on its part; also the other way around.
+    pub(super) fn on_part(&self, [x, y]: Point2) -> Point2 {
+        [if self.is_turned_over() { -x } else { x }, y]
+    }
+
+    fn cut_panels(&mut self, z_up: bool) {
         for f in 0..self.flat.len() {
-            let found = self.cut_panel(f);
+            let found = self.cut_panel(f, z_up);
             if let Err(why) = found {
                 let is_part = self.flat[f].is_some();
                 self.not_cut.push(NotCut { part: self.names[f].clone(), why, is_part });
@@ -80,7 +96,7 @@ impl Build {
         Ok([scaled, outline])
     }
 
-    fn cut_panel(&mut self, f: usize) -> Result<CutPanel, &'static str> {
+    fn cut_panel(&mut self, f: usize, z_up: bool) -> Result<CutPanel, &'static str> {
         let [scaled, outline] = self.outline(f, &self.settings)?;
         let (turn, size) = smallest_box(&outline);
         let turned =
@@ -93,13 +109,13 @@ impl Build {
         };
         let n = outline.len();
         let has_side = |k: usize| outline[k] != outline[(k + 1) % n];
-        let has_first_side = has_side(0);
         let sides = self.surface.sides.row(f).iter().zip(0..).filter(|(_, k)| has_side(*k));
-        let neighbours = sides.map(|(&e, _)| across(e)).collect();
+        let (neighbours, bevels) = sides.map(|(&e, _)| (across(e), self.bevel(e))).unzip();
         let outline = distinct_corners(&outline);
         let (name, panels) = (self.names[f].clone(), vec![f as u32]);
+        let arrow = self.flat[f].as_ref().map(|flat| rotated(upwards_in(flat.axes, z_up), turn));
         let part =
-            CutPart { name, panels, outline, neighbours, has_first_side, ..CutPart::default() };
+            CutPart { name, panels, outline, neighbours, bevels, arrow, ..CutPart::default() };
         let first = self.parts.len();
         let spliced = self.spliced(&part.outline, self.settings.splice);
         let pieces = spliced.as_ref().map_or(1, |spliced| spliced.pieces.len());
@@ -108,6 +124,18 @@ impl Build {
             None => self.parts.push(part),
         }
         Ok(CutPanel { whole, turn, size, part: first, pieces })
+    }
+
+    /// The bevel of the panels at an edge in degrees, to be written on them: none where they are too
+    /// thin for one, or it takes less off them than can be cut.
+    fn bevel(&self, e: u32) -> Option<f64> {
+        /// Thinner panels are glued or taped with square sides, in mm.
+        const THINNEST: f64 = 1.0;
+        let bevel = self.surface.bevel(&self.surface.edges[e as usize])?;
+        let turns = bevel / std::f64::consts::TAU;
+        let thickness = self.settings.thickness;
+        let cut_back = thickness * (sine(turns) / cosine(turns)).abs();
+        (thickness >= THINNEST && cut_back >= JOINT_STEP).then(|| bevel.to_degrees())
     }
 
     /// The longer and the shorter side of the room for parts on a sheet.
@@ -145,20 +173,22 @@ impl Build {
     fn add_pieces(&mut self, panel: &CutPart, Spliced { pieces, plates }: Spliced) {
         let first = self.parts.len();
         let name = |k: usize| format!("{}.{}", panel.name, k + 1);
-        for (k, mut piece) in pieces.into_iter().enumerate() {
-            // Its outline begins with the first side of the panel, if it has it.
-            let start = piece.iter().position(|(_, side)| *side == PieceSide::Panel(0));
-            piece.rotate_left(start.unwrap_or(0));
+        for (k, piece) in pieces.into_iter().enumerate() {
             let beyond = |(_, side): &(Point2, PieceSide)| match side {
                 PieceSide::Panel(k) => panel.neighbours[*k].clone(),
                 PieceSide::Piece(other) => Some(name(*other)),
+            };
+            let bevel = |(_, side): &(Point2, PieceSide)| match side {
+                PieceSide::Panel(k) => panel.bevels[*k],
+                PieceSide::Piece(_) => None,
             };
             self.parts.push(CutPart {
                 name: name(k),
                 panels: panel.panels.clone(),
                 outline: corners(&piece),
                 neighbours: piece.iter().map(beyond).collect(),
-                has_first_side: panel.has_first_side && start.is_some(),
+                bevels: piece.iter().map(bevel).collect(),
+                arrow: panel.arrow,
                 ..CutPart::default()
             });
         }
@@ -189,23 +219,23 @@ impl Build {
         }
     }
 
-    /// The beams of a model at this scale; none without an offset, and for other products.
-    pub(super) fn frame_at(&self, scale: f64) -> Option<Frame> {
-        let BuildSettings { product, thickness, alike_deg, mirror, .. } = self.settings;
+    /// The beams of a model with these settings, of which the scale and the node discs may be others; none
+    /// without an offset, and for other products.
+    pub(super) fn frame_of(&self, settings: &BuildSettings) -> Option<Frame> {
+        let &BuildSettings { product, thickness, alike_deg, mirror, scale, .. } = settings;
         let (axes, _) = self.offset.as_ref().filter(|_| product == Product::Fins)?;
-        let model = self.mm_of_sheet_at(scale);
         let size = FrameSize {
             height: self.distance(),
             width: self.beam_width(),
-            thickness: thickness / model,
-            discs: self.disc_size(model),
+            thickness: thickness / self.mm_of_sheet_at(scale),
+            discs: self.disc_size(settings),
         };
         Some(Frame::new(&self.surface, &axes.axes, size, alike_deg, mirror))
     }
 
     fn cut_fins(&mut self) {
-        let Some(frame) = self.frame_at(self.settings.scale) else { return };
-        self.faults.extend(self.no_slots());
+        let Some(frame) = self.frame_of(&self.settings) else { return };
+        self.faults.extend(Build::no_slots(&self.settings));
         let (model, kerf) = (self.mm_of_sheet(), self.settings.kerf);
         for (e, fin) in frame.fins.iter().enumerate() {
             let edge = &self.surface.edges[e];
@@ -225,13 +255,14 @@ impl Build {
                     // The ends are the second and the last side.
                     let mut neighbours = vec![None; fin.cut.len()];
                     (neighbours[1], neighbours[fin.cut.len() - 1]) = (one, other);
+                    let [c, s] = direction_of(outline[0], outline[1]);
                     self.fins.push(e as u32);
                     self.parts.push(CutPart {
                         name,
                         panels,
                         outline,
                         neighbours,
-                        has_first_side: true,
+                        arrow: Some([s, -c]),
                         is_oriented: true,
                         ..CutPart::default()
                     });
@@ -296,20 +327,19 @@ impl Build {
                                 outline: &part.outline,
                                 name: &part.name,
                                 neighbours: &part.neighbours,
+                                bevels: &part.bevels,
                                 is_oriented: part.is_oriented,
-                                with_arrow: part.has_first_side,
+                                arrow: part.arrow,
                                 turn,
                                 holes: &holes,
                             })
                         }
                     };
-                    let Labels { lines, texts, dropped, small } = labels;
+                    let Labels { lines, dropped, small, .. } = labels;
                     part.engraved.extend(lines);
-                    // Without room there is no small name either.
-                    let small = small && !texts.is_empty();
                     // Its own name says which neighbour is where.
                     let dropped = if part.is_oriented { 0 } else { dropped };
-                    MissingNames { dropped, small, piece: texts.is_empty() }
+                    MissingNames { dropped, small, piece: small }
                 }
             };
             part.named = if missing.piece { NamePlace::Nowhere } else { NamePlace::OnPart };

@@ -19,21 +19,19 @@ const TENON: [f64; 2] = [2.0, 3.0];
 const STEP: f64 = 1.0;
 
 impl Build {
-    /// Why node discs cannot be cut although they are asked for, if so.
-    pub(super) fn no_slots(&self) -> Option<Fault> {
-        let BuildSettings { disc, thickness, clearance, kerf, .. } = self.settings;
+    /// Why node discs cannot be cut with these settings although they are asked for, if so.
+    pub(super) fn no_slots(settings: &BuildSettings) -> Option<Fault> {
+        let &BuildSettings { disc, thickness, clearance, kerf, .. } = settings;
         let is_too_thin = thickness <= 0.0 || thickness + 2.0 * clearance <= kerf;
         (disc != Some(0.0) && is_too_thin).then(|| Fault::no_slots(thickness > 0.0))
     }
 
-    /// The dimensions of node discs, if they are asked for and can be cut, where a unit of the mesh is
-    /// this many mm of the sheet.
-    pub(super) fn disc_size(&self, model: f64) -> Option<DiscSize> {
-        let own = &self.settings;
-        if own.disc == Some(0.0) || self.no_slots().is_some() {
+    /// The dimensions of node discs with these settings, if they are asked for and can be cut.
+    pub(super) fn disc_size(&self, own: &BuildSettings) -> Option<DiscSize> {
+        if own.disc == Some(0.0) || Build::no_slots(own).is_some() {
             return None;
         }
-        let in_mesh = 1.0 / model;
+        let in_mesh = 1.0 / self.mm_of_sheet_at(own.scale);
         let least = |[thicknesses, mm]: [f64; 2]| (thicknesses * own.thickness).max(mm) * in_mesh;
         Some(DiscSize {
             diameter: own.disc.map(|diameter| diameter * in_mesh),

@@ -55,7 +55,8 @@ impl Build {
                 if cut.pieces > 1 {
                     continue;
                 }
-                let corner = |k: usize| place.to_sheet(cut.whole[k % cut.whole.len()]);
+                let corner =
+                    |k: usize| place.to_sheet(self.on_part(cut.whole[k % cut.whole.len()]));
                 let sides = self.surface.sides.row(f).iter().enumerate();
                 let failed = sides.filter(|(_, e)| edges[**e as usize]);
                 found.extend(failed.map(|(k, _)| vec![corner(k), corner(k + 1)]));

@@ -33,19 +33,19 @@ pub struct BuildNumber {
 
 pub(super) const BEAM_WARP: BuildNumber = BuildNumber {
     id: "beam_warp",
-    label: "Beam warp",
+    label: "Warped beams",
     description: "largest distance of a beam's corners to its plane",
     unit: NumberUnit::Length,
 };
 pub(super) const DISTANCE_ERROR: BuildNumber = BuildNumber {
     id: "distance_error",
-    label: "Offset error",
+    label: "Uneven offset",
     description: "largest difference of the offset from its distance",
     unit: NumberUnit::Length,
 };
 pub(super) const LEAN: BuildNumber = BuildNumber {
     id: "lean",
-    label: "Axis lean",
+    label: "Leaning nodes",
     description: "largest angle between an inner node axis and the surface normal",
     unit: NumberUnit::Degrees,
 };

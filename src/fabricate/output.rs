@@ -3,7 +3,7 @@
 use super::build::Build;
 use super::file::{Drawing, dxf, pdf, svg};
 use super::sheet::{CutPart, Place};
-use super::space::{PRESENTATION, assembled, solids};
+use super::space::{PRESENTATION, assembled, named_panels, solids};
 use super::tables;
 use crate::mesh::write_obj_with_comments;
 use crate::scene::{BuildSettings, UnitsAndUp, Up};
@@ -33,15 +33,16 @@ impl BuildFile {
         let is_key = name.strip_prefix("key-").and_then(|rest| rest.strip_suffix(".svg"));
         is_sheet
             || is_key.is_some_and(|number| number.parse::<u8>().is_ok())
-            || ["sheets.pdf", "key.pdf", "beams.obj", "plates.obj", PRESENTATION].contains(&name)
+            || ["sheets.pdf", "key.pdf", "panels.obj", "beams.obj", "plates.obj", PRESENTATION]
+                .contains(&name)
             || tables::NAMES.contains(&name)
     }
 }
 
 impl Build {
     /// All files: a drawing of each sheet and, if asked, of each part in two formats, all sheets as PDF,
-    /// the key, the tables, the beams, with node discs all plates as they are assembled, and the shape for
-    /// presentations. `z_up` is whether z is up in the mesh; else y is.
+    /// the key, the tables, the panels by name or the beams, with node discs all plates as they are
+    /// assembled, and the shape for presentations. `z_up` is whether z is up in the mesh; else y is.
     pub fn files(&self, z_up: bool) -> Vec<BuildFile> {
         let drawings: Vec<Drawing> = self.drawings().into_iter().map(Drawing::cut_once).collect();
         let (single, mut files) = (self.drawings_of_parts(), Vec::new());
@@ -62,11 +63,20 @@ impl Build {
         for (name, text) in tables::all(self) {
             add(name, text.into());
         }
-        let meshes = [("beams.obj", solids(self)), ("plates.obj", assembled(self))];
-        for (name, mesh) in meshes {
+        let meshes = [
+            (
+                "panels.obj",
+                named_panels(self),
+                Some("its first vertex is node N0, the next one N1, and so on"),
+            ),
+            ("beams.obj", solids(self), None),
+            ("plates.obj", assembled(self), None),
+        ];
+        for (name, mesh, note) in meshes {
             let Some(mesh) = mesh else { continue };
             let up = if z_up { Up::Z } else { Up::Y };
-            let comments = UnitsAndUp::comments(self.unit.symbol, Some(up), &mesh);
+            let mut comments = UnitsAndUp::comments(self.unit.symbol, Some(up), &mesh);
+            comments.extend(note.map(str::to_owned));
             add(name, write_obj_with_comments(&mesh, &mesh.positions, &comments).into());
         }
         add(PRESENTATION, self.presentation(z_up));

@@ -128,7 +128,9 @@ impl Build {
             self.left_out.dropped_reliefs += dropped;
             part.outline = outline;
             let name = |side: &Option<usize>| side.and_then(|k| part.neighbours.get(k)?.clone());
-            part.neighbours = sides.iter().map(name).collect();
+            let bevel = |side: &Option<usize>| side.and_then(|k| *part.bevels.get(k)?);
+            (part.neighbours, part.bevels) =
+                sides.iter().map(|side| (name(side), bevel(side))).unzip();
             for hole in &mut part.holes {
                 let Some(slot) = &hole.slot else { continue };
                 let Relieved { outline, dropped, .. } = relieved(slot, true, radius, half);

@@ -9,7 +9,7 @@ use super::offset::Choice;
 use super::panel::{panel_types, perimeter, smallest_box};
 use super::paper::{FoldKind, Joint, JointKind, PaperModel};
 use super::sheet::{CutPart, Hole, NamePlace, Place, Sheet};
-use super::surface::distinct;
+use super::surface::{Edge, distinct};
 use crate::scene::{BuildSettings, OffsetKind, Product};
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -102,6 +102,12 @@ pub struct BuildReport {
     pub too_large: Vec<String>,
     /// Width and height of a sheet with room for each of them within the same margin.
     pub larger_sheet_mm: Option<[f64; 2]>,
+    /// The name of the part whose smallest box is narrowest; empty if there are no parts.
+    pub smallest_part: String,
+    /// Length and width of that box, on the sheet.
+    pub smallest_part_mm: Option<[f64; 2]>,
+    /// The names of parts that are narrower than their limit.
+    pub narrow: Vec<String>,
     /// Parts that cannot be cut, each with the reason.
     pub not_cut: Vec<String>,
     /// Panels that are cut into pieces.
@@ -117,6 +123,9 @@ pub struct BuildReport {
     /// The least joint on the sheet that keeps panels of this thickness from colliding, if they are
     /// laid outside and inside of the surface; null if none of 0.1 mm is needed, or it is not known.
     pub least_joint_mm: [Option<f64>; 2],
+    /// The panels between which the least joint of either side is needed, such as `P3 and P7`; empty if
+    /// none is.
+    pub least_joint_at: [String; 2],
     /// Why the least joint of either side is not known; empty if it is.
     pub no_least_joint: [&'static str; 2],
     /// What is left out of parts, among the numbers of the report.
@@ -202,14 +211,25 @@ impl Build {
         let around_holes = holes().map(Hole::perimeter).fold(0.0, |a, b| a + b);
         let [width, height] = self.settings.sheet;
         let sheets = self.layout.sheets.len();
-        let folds = self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
-        let folds: Vec<f64> = folds.collect();
+        let folds = self.surface.edges.iter();
+        let folds = folds.filter_map(|edge| Some((edge, self.surface.fold(edge)?)));
+        let folds: Vec<(&Edge, f64)> = folds.collect();
         let fold_deg = (!folds.is_empty()).then(|| {
-            let low = folds.iter().copied().fold(f64::INFINITY, f64::min);
-            [low, folds.iter().copied().fold(f64::NEG_INFINITY, f64::max)].map(f64::to_degrees)
+            let all = || folds.iter().map(|(_, fold)| *fold);
+            let low = all().fold(f64::INFINITY, f64::min);
+            [low, all().fold(f64::NEG_INFINITY, f64::max)].map(f64::to_degrees)
         });
         let least = [1.0, -1.0].map(|side| self.least_joint(&folds, side));
+        let between = |edge: &Edge| {
+            let both = distinct(edge.panels.into_iter().flatten()).into_iter();
+            both.map(|f| &*self.names[f as usize]).collect::<Vec<_>>().join(" and ")
+        };
         let errors = self.flat.iter().flatten().map(|flat| flat.flattening_error);
+        let boxes: Vec<(&CutPart, [f64; 2])> =
+            self.parts.iter().map(|part| (part, smallest_box(&part.outline).1)).collect();
+        let smallest = boxes.iter().min_by(|(_, a), (_, b)| a[1].total_cmp(&b[1]));
+        let is_narrow =
+            |(_, [_, width]): &&(&CutPart, [f64; 2])| *width < self.settings.limits.part;
         let nodes = distinct(self.surface.faces.indices().iter().copied());
         BuildReport {
             product: self.settings.product,
@@ -235,6 +255,9 @@ impl Build {
                 .iter()
                 .map(|&part| self.parts[part].name.clone())
                 .collect(),
+            smallest_part: smallest.map_or_else(String::new, |(part, _)| part.name.clone()),
+            smallest_part_mm: smallest.map(|(_, size)| *size),
+            narrow: boxes.iter().filter(is_narrow).map(|(part, _)| part.name.clone()).collect(),
             larger_sheet_mm: self.larger_sheet(),
             not_cut: self.not_cut.iter().map(|not| format!("{}: {}", not.part, not.why)).collect(),
             spliced: self.cut.iter().flatten().filter(|cut| cut.pieces > 1).count(),
@@ -242,7 +265,9 @@ impl Build {
             cut_area_mm2,
             cut_length_mm: sum(|part| perimeter(&part.outline)) - self.shared() + around_holes,
             joint_mm: self.settings.joint * self.mm_of_sheet(),
-            least_joint_mm: least.map(|least| least.ok().flatten()),
+            least_joint_mm: least.map(|least| least.ok().flatten().map(|(least, _)| least)),
+            least_joint_at: least
+                .map(|least| least.ok().flatten().map_or_else(String::new, |(_, at)| between(at))),
             no_least_joint: least.map(|least| least.err().unwrap_or("")),
             left_out: self.left_out,
             unnamed: (self.layout.places(self.parts.len()).iter().zip(&self.parts))
@@ -300,26 +325,36 @@ impl Build {
     }
 
     /// Panels of thickness `T` on one side collide at an edge of fold `theta` towards that side
-    /// unless the joint is at least `2 T sin(|theta|/2) / cos(theta/2)`. None if that is nothing at all
-    /// edges: folds between coplanar panels are rounding errors of either sign.
+    /// unless the joint is at least `2 T sin(|theta|/2) / cos(theta/2)`: the largest of these, and its edge.
+    /// None if that is nothing at all edges: folds between coplanar panels are rounding errors of either
+    /// sign.
     ///
     /// # Errors
     /// Why it is not known.
-    fn least_joint(&self, folds: &[f64], side: f64) -> Result<Option<f64>, &'static str> {
+    fn least_joint<'a>(
+        &self,
+        folds: &[(&'a Edge, f64)],
+        side: f64,
+    ) -> Result<Option<(f64, &'a Edge)>, &'static str> {
         if self.surface.panels.iter().any(|panels| panels.len() > 2) {
             return Err("more than two panels meet at an edge");
         }
         if self.surface.one_sided.is_some() {
             return Err("the surface has one side only");
         }
-        let steepest = folds.iter().map(|fold| -fold * side).fold(0.0, f64::max);
+        let towards = folds.iter().map(|(edge, fold)| (-fold * side, *edge));
+        let Some((steepest, edge)) =
+            towards.filter(|(fold, _)| *fold > 0.0).max_by(|(a, _), (b, _)| a.total_cmp(b))
+        else {
+            return Ok(None);
+        };
         let half_turns = steepest / std::f64::consts::TAU * 0.5;
         let (sine, cosine) = (crate::math::sine(half_turns), crate::math::cosine(half_turns));
         if cosine <= 1e-6 {
             return Err("panels lie on each other");
         }
         let least = 2.0 * self.settings.thickness * sine / cosine;
-        Ok((least >= JOINT_STEP).then_some(least))
+        Ok((least >= JOINT_STEP).then_some((least, edge)))
     }
 
     fn frame_report(&self) -> Option<FrameReport> {

@@ -11,6 +11,7 @@ use crate::fabricate::sheet::Role;
 use crate::fabricate::surface::{Edge, beam_name, distinct, node_name};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Group, GroupKeyword, Mesh};
+use crate::scene::Product;
 use serde::Serialize;
 
 /// An object on a layer, in the unit of the mesh; z is up.
@@ -202,13 +203,13 @@ const BROWN: [f32; 4] = [0.45, 0.30, 0.18, 1.0];
 const LIGHT: [f32; 4] = [0.70, 0.55, 0.36, 1.0];
 
 /// Of more panels, each layer of a presentation is one part: viewers, also those of telephones, draw part
-/// by part.
+/// by part. Names of panels are then at points, of which nothing is drawn.
 const NAMED_PANELS: usize = 2000;
 
 impl Build {
     /// Writes panels, offset panels and, between them, fins and node discs or else flat beams as binary
     /// glTF, in metres about the centre of the bounding box: by name unless there are more than
-    /// `NAMED_PANELS` panels. `z_up` is whether z is up in the mesh; else y is.
+    /// `NAMED_PANELS` panels. Nodes are named points. `z_up` is whether z is up in the mesh; else y is.
     pub fn presentation(&self, z_up: bool) -> Vec<u8> {
         let is_named = self.names.len() <= NAMED_PANELS;
         let metres = self.unit.metres;
@@ -223,7 +224,7 @@ impl Build {
                     part.add_polygon(&corners.iter().map(|&at| at * metres).collect::<Vec<_>>());
                 }
             }
-            GlbLayer { name, colour, parts }
+            GlbLayer { name, colour, parts, points: Vec::new() }
         };
         let mut layers = vec![layer("panels", [0.80, 0.81, 0.83, 1.0], self.panels())];
         if let Some((axes, _)) = &self.offset {
@@ -243,8 +244,34 @@ impl Build {
             }
             layers.extend([layer("fins", BROWN, fins), layer("discs", LIGHT, discs)]);
         }
+        let point =
+            |name: String, at: Vec3<f64>| (name, <[f64; 3]>::from(at * metres).map(|x| x as f32));
+        if !is_named {
+            let middle = |face: &[u32]| {
+                let sum = face.iter().fold(Vec3::zero(), |sum, &v| sum + self.surface.at(v));
+                sum * (1.0 / face.len() as f64)
+            };
+            let middles = self.surface.faces.iter().map(middle).zip(&self.names);
+            layers[0].points = middles.map(|(at, name)| point(name.clone(), at)).collect();
+        }
+        let nodes = self.nodes().into_iter();
+        let points = nodes.map(|v| point(node_name(v), self.surface.at(v))).collect();
+        layers.push(GlbLayer { name: "nodes", points, ..GlbLayer::default() });
         glb(&layers, z_up)
     }
+}
+
+/// The panels by their names, over the nodes in the order of their numbers; none with fins, whose beams
+/// are a file with panels.
+pub(in crate::fabricate) fn named_panels(build: &Build) -> Option<Mesh> {
+    let surface = &build.surface;
+    let at = |point: &Vec3<f64>| <[f64; 3]>::from(*point + surface.centre);
+    (build.settings.product != Product::Fins).then(|| Mesh {
+        positions: surface.positions.iter().map(at).collect(),
+        faces: surface.faces.clone(),
+        groups: (0..).zip(&build.names).map(|(face, name)| group(name, vec![face])).collect(),
+        ..Mesh::default()
+    })
 }
 
 /// Panels and their offset, together and each panel by its name, and every prism by its name; none if no

@@ -298,6 +298,12 @@ impl PanelSurface {
         let folds = both.filter(|_| t != Vec3::zero()).map(fold);
         folds.max_by(|a, b| a.abs().total_cmp(&b.abs()))
     }
+
+    /// The bevel of the sides of both panels at an edge in radians, from square, so that they meet in the
+    /// plane between them: half of the fold. Positive at a ridge, where the inside is cut back.
+    pub fn bevel(&self, edge: &Edge) -> Option<f64> {
+        self.fold(edge).map(|fold| 0.5 * fold)
+    }
 }
 
 /// Normalises a vector; zero if it has no direction.
@@ -366,8 +372,8 @@ pub(super) fn distinct(indices: impl Iterator<Item = u32>) -> Vec<u32> {
     (0..).zip(is_there).filter(|(_, is_there)| *is_there).map(|(index, _)| index).collect()
 }
 
-/// The corners of a face backwards. Its first side stays the first one, to which arrows point and
-/// from which rotations and strips are counted.
+/// The corners of a face backwards. Its first side stays the first one, from which rotations and strips
+/// are counted.
 fn reversed(face: &[u32]) -> Vec<u32> {
     let (first, rest) = face.split_at(face.len().min(2));
     first.iter().rev().chain(rest.iter().rev()).copied().collect()

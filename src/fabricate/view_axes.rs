@@ -1,7 +1,8 @@
 //! Directions of view on the building, and the building seen in one.
 
+use super::panel::direction_of;
 use super::surface::PanelSurface;
-use crate::math::plane::{Point2, bounds};
+use crate::math::plane::{Point2, bounds, length};
 use crate::math::{self, Vec3};
 
 /// A direction of view as unit vectors: right, up, and away from the viewer.
@@ -11,6 +12,19 @@ pub(super) type ViewAxes = [Vec3<f64>; 3];
 pub(super) fn compass(z_up: bool) -> ViewAxes {
     let [x, y, z] = [Vec3::new(1.0, 0.0, 0.0), Vec3::new(0.0, 1.0, 0.0), Vec3::new(0.0, 0.0, 1.0)];
     if z_up { [x, y, z] } else { [x, -z, y] }
+}
+
+/// Sine of the slope up to which a part counts as level, 5 degrees: which way it rises is not seen.
+const LEVEL: f64 = 0.0872;
+
+/// The unit vector in a plane with these axes that points upwards, or if it is level, to the top of the
+/// view from above.
+pub(super) fn upwards_in(axes: [Vec3<f64>; 2], z_up: bool) -> Point2 {
+    let [_, north, up] = compass(z_up);
+    let within = |way: Vec3<f64>| axes.map(|axis| way.dot(axis));
+    let steepest = within(up);
+    let way = if length(steepest) > LEVEL { steepest } else { within(north) };
+    direction_of([0.0; 2], way)
 }
 
 /// The view from above.

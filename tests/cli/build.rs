@@ -25,10 +25,12 @@ fn sheets_tables_and_a_report_are_written_whole() {
     let expected = [
         "edges.csv",
         "key-1.svg",
+        "key-2.svg",
         "key.pdf",
         "model.glb",
         "nodes.csv",
         "panels.csv",
+        "panels.obj",
         "sheet-01.dxf",
         "sheet-01.svg",
         "sheets.pdf",
@@ -128,6 +130,10 @@ fn a_report_page_has_the_title_of_the_scene_or_file_and_the_link() {
     assert!(of_scene.contains("href=\"https://example.org/?a&amp;b\""), "{of_scene}");
     let of_file = page("roof.obj", &[]);
     assert!(of_file.contains("<h1>roof</h1>") && !of_file.contains("<a "), "{of_file}");
+    for link in ["javascript:alert(1)", "data:text/html,a", "example.org", " https://example.org"] {
+        let asked = ["build", "roof.obj", "--report-page", "r.html", "--link", link];
+        folder.run(&asked).misused("--link takes an address that begins with https:// or http://");
+    }
 }
 
 #[test]
@@ -346,7 +352,7 @@ fn settings_of_the_workshop_are_used_and_listed_in_the_summary() {
         "Drawings (dxf),r12,",
         "\"Outlines only, without names (outlines_only)\",on,",
         "Mirror images are alike (mirror),off,",
-        "Beam warp (limits.warp),2,mm",
+        "Warped beams (limits.warp),2,mm",
     ] {
         assert!(summary.contains(&format!("\r\n{line}\r\n")), "{line}: {summary}");
     }

@@ -1,13 +1,14 @@
 //! Names in the order of assembly: by rows from the supports, and along each row.
 
 use super::beams::cube;
-use super::metres;
+use super::identities::revolution;
+use super::{build, metres, text_of};
 use crate::support::grid::grid;
 use crate::support::shared;
 use shape_up::fabricate::{Build, Stand};
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BuildSettings, Names, UnitsAndUp, Up};
+use shape_up::scene::{BuildSettings, Names, Product, UnitsAndUp, Up};
 use std::collections::BTreeSet;
 
 fn named(mesh: &Mesh, stand: Option<&Stand>) -> Build {
@@ -170,5 +171,41 @@ fn the_names_of_real_meshes_are_short_and_no_two_are_the_same() {
         let mut order = made.order.clone();
         order.sort_unstable();
         assert!(order.iter().copied().eq(1..=made.names.len() as u32), "{file}");
+    }
+}
+
+#[test]
+fn fins_are_ordered_with_their_panels_and_discs_with_their_first_fin() {
+    let own = BuildSettings {
+        product: Product::Fins,
+        disc: None,
+        thickness: 3.0,
+        scale: 10.0,
+        sheet: [1200.0, 600.0],
+        ..BuildSettings::default()
+    };
+    let made = build(&revolution(5, 4), &own);
+    let column = |table: &str, name: &str| -> Vec<String> {
+        let text = text_of(&made, table);
+        let at = text.lines().next().unwrap().split(',').position(|own| own == name).unwrap();
+        text.lines().skip(1).map(|row| row.split(',').nth(at).unwrap().to_owned()).collect()
+    };
+    let numbers = |table: &str| -> Vec<usize> {
+        column(table, "order").iter().map(|number| number.parse().unwrap()).collect()
+    };
+    let fins = numbers("fins.csv");
+    let mut sorted = fins.clone();
+    sorted.sort();
+    assert_eq!(sorted, (1..=made.fins.len()).collect::<Vec<_>>());
+    let with = |k: usize| made.parts[k].panels.iter().map(|&f| made.order[f as usize]).min();
+    for (a, b) in (0..fins.len()).flat_map(|a| (0..fins.len()).map(move |b| (a, b))) {
+        assert!(with(a) >= with(b) || fins[a] < fins[b], "{a} {b}");
+    }
+    assert!(!made.discs.is_empty());
+    for (disc, order) in made.discs.iter().zip(numbers("discs.csv")) {
+        let there = made.fins.iter().zip(&fins);
+        let there =
+            there.filter(|(e, _)| made.surface.edges[**e as usize].ends.contains(&disc.vertex));
+        assert_eq!(there.map(|(_, number)| *number).min(), Some(order));
     }
 }

@@ -304,21 +304,25 @@ fn the_nodes_of_a_fin_are_named_beyond_the_holes_at_its_ends() {
 
 #[test]
 fn names_that_nobody_could_read_are_not_on_the_part() {
-    // Letters of a few tenths of a millimetre counted as written on it.
-    let narrow = |width: f64| {
+    let narrow = |width: f64, height: f64| {
         label(Inscription {
-            outline: &[[0.0, 0.0], [width, 0.0], [width, 2.5], [0.0, 2.5]],
+            outline: &[[0.0, 0.0], [width, 0.0], [width, height], [0.0, height]],
             name: "B192-193",
             neighbours: &[None, Some("N193".to_owned()), None, Some("N192".to_owned())],
+            bevels: &[],
             is_oriented: true,
-            with_arrow: false,
+            arrow: None,
             turn: [1.0, 0.0],
             holes: &[],
         })
     };
-    let (short, long) = (narrow(4.0), narrow(40.0));
-    assert!(short.texts.is_empty(), "{:?}", short.texts);
-    assert_eq!((long.texts, long.small, long.dropped), (vec!["B192-193".to_owned()], true, 2));
+    // 2 mm, with room around them, need 3.4 mm.
+    for (width, height) in [(4.0, 2.5), (4.0, 10.0), (40.0, 2.5), (40.0, 3.3)] {
+        let found = narrow(width, height);
+        assert_eq!((found.texts.len(), found.lines.len(), found.small), (0, 0, true));
+    }
+    let readable = narrow(40.0, 3.5);
+    assert_eq!((&*readable.texts[0], readable.small), ("B192-193", false));
 }
 
 #[test]
@@ -328,13 +332,14 @@ fn a_short_fin_names_both_of_its_nodes_beside_its_long_name() {
     let outline = &[[0.0, 0.0], [25.99, 0.0], [24.65, 12.72], [1.34, 12.72]][..];
     let neighbours = &[None, Some("N193".to_owned()), None, Some("N192".to_owned())][..];
     for turn in [[1.0, 0.0], [-1.0, 0.0]] {
-        let (name, with_arrow, holes) = ("B192-193", true, &[][..]);
+        let (name, arrow, holes) = ("B192-193", Some([0.0, -1.0]), &[][..]);
         let found = label(Inscription {
             outline,
             name,
             neighbours,
+            bevels: &[],
             is_oriented: true,
-            with_arrow,
+            arrow,
             turn,
             holes,
         });

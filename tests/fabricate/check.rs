@@ -45,7 +45,7 @@ fn what_fails_is_listed_and_the_worst_of_it_is_named() {
     assert!((1000.0 * found.beams[edge].warp - warp.value.unwrap()).abs() < 1e-12);
 
     // With limits that are never reached nothing fails.
-    let limits = CheckLimits { warp: 1e9, distance: 1e9, lean: 180.0, flatness: 1e9 };
+    let limits = CheckLimits { warp: 1e9, distance: 1e9, lean: 180.0, flatness: 1e9, part: 0.0 };
     let made = build(&wavy(), &BuildSettings { limits, ..own });
     assert_eq!(made.failed(), shape_up::fabricate::Failed::default());
     assert!(made.card().tighten.suggestions.is_empty());
@@ -53,7 +53,7 @@ fn what_fails_is_listed_and_the_worst_of_it_is_named() {
 
 #[test]
 fn a_limit_of_0_is_suggested_as_what_meets_it_and_not_as_0() {
-    let limits = CheckLimits { warp: 0.0, distance: 0.0, flatness: 0.0, lean: 20.0 };
+    let limits = CheckLimits { warp: 0.0, distance: 0.0, flatness: 0.0, lean: 20.0, part: 0.0 };
     let tighten =
         build(&wavy(), &BuildSettings { limits, ..BuildSettings::default() }).card().tighten;
     assert!(tighten.suggestions.len() == 2, "{tighten:?}");

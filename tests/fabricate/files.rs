@@ -209,14 +209,15 @@ fn every_name_is_once_on_its_panel_and_every_inner_edge_is_named_from_both_sides
             .collect();
         let cut = made.cut[f].as_ref().unwrap();
         let outline = &made.parts[cut.part].outline;
-        let (with_arrow, turn) = (true, [1.0, 0.0]);
+        let (arrow, turn) = (Some([0.6, 0.8]), [1.0, 0.0]);
         let (side_names, holes) = (&neighbours[..], &[][..]);
         let own = Inscription {
             outline,
             name,
             neighbours: side_names,
+            bevels: &[],
             is_oriented: false,
-            with_arrow,
+            arrow,
             turn,
             holes,
         };

@@ -7,6 +7,7 @@ use shape_up::fabricate::file::{GlbLayer, GlbPart, glb};
 use shape_up::math::Vec3;
 use shape_up::math::plane::area;
 use shape_up::scene::BuildSettings;
+use std::collections::BTreeMap;
 
 /// The JSON and the binary chunk of a file.
 fn read(bytes: &[u8]) -> (Value, Vec<u8>) {
@@ -53,6 +54,16 @@ fn triangles((json, data): &(Value, Vec<u8>), mesh: usize) -> Vec<[Vec3<f64>; 3]
     corners.as_chunks::<3>().0.iter().map(|three| three.each_ref().map(corner)).collect()
 }
 
+/// The points of a file, by their names.
+fn points(json: &Value) -> BTreeMap<String, Vec3<f64>> {
+    let point = |node: &Value| {
+        let at = node["translation"].as_array()?.iter().map(|x| x.as_f64().unwrap());
+        let at: [f64; 3] = at.collect::<Vec<_>>().try_into().unwrap();
+        Some((node["name"].as_str().unwrap().to_owned(), Vec3::from(at)))
+    };
+    json["nodes"].as_array().unwrap().iter().filter_map(point).collect()
+}
+
 /// The layers of a file: for each, its name, and the names and meshes of its parts.
 fn layers(json: &Value) -> Vec<(String, Vec<(String, usize)>)> {
     let nodes = json["nodes"].as_array().unwrap();
@@ -61,10 +72,10 @@ fn layers(json: &Value) -> Vec<(String, Vec<(String, usize)>)> {
         let of = node["children"].as_array().unwrap().iter();
         of.map(|child| nodes[child.as_u64().unwrap() as usize].clone()).collect()
     };
-    let part = |node: &Value| (name(node), node["mesh"].as_u64().unwrap() as usize);
+    let part = |node: &Value| Some((name(node), node["mesh"].as_u64()? as usize));
     children(&nodes[0])
         .iter()
-        .map(|own| (name(own), children(own).iter().map(part).collect()))
+        .map(|own| (name(own), children(own).iter().filter_map(part).collect()))
         .collect()
 }
 
@@ -78,7 +89,12 @@ fn panels_and_beams_have_their_names_and_areas_in_metres() {
     };
     let layers = layers(&file.0);
     let names: Vec<&str> = layers.iter().map(|(name, _)| name.as_str()).collect();
-    assert_eq!(names, ["panels", "offset", "beams"]);
+    assert_eq!(names, ["panels", "offset", "beams", "nodes"]);
+    let points = points(&file.0);
+    assert_eq!(points.len(), made.surface.positions.len());
+    for (v, at) in made.surface.positions.iter().enumerate() {
+        assert!((points[&format!("N{v}")] - *at).length() < 1e-6);
+    }
     let panels = &layers[0].1;
     assert_eq!(panels.iter().map(|(name, _)| name.clone()).collect::<Vec<_>>(), made.names);
     for ((name, mesh), own) in panels.iter().zip(&made.surface.areas) {
@@ -102,12 +118,15 @@ fn panels_and_beams_have_their_names_and_areas_in_metres() {
 }
 
 #[test]
-fn of_many_panels_each_layer_is_one_part() {
+fn of_many_panels_each_layer_is_one_part_and_names_are_at_points() {
     let made = build(&revolution(60, 40), &BuildSettings::default());
     assert!(made.names.len() > 2000);
     let (json, _) = read(&made.presentation(true));
     let sizes: Vec<usize> = layers(&json).iter().map(|(_, parts)| parts.len()).collect();
-    assert_eq!(sizes, [1, 1, 1]);
+    assert_eq!(sizes, [1, 1, 1, 0]);
+    // Their names are at points.
+    let points = points(&json);
+    assert!(made.names.iter().all(|name| points.contains_key(name)));
 }
 
 fn layer_of(parts: Vec<GlbPart>) -> GlbLayer {

@@ -1,15 +1,15 @@
 //! Identities of offsets and panels that hold for every mesh, with their tolerances.
 
-use super::{build, exact, fit};
+use super::{build, exact, fit, metres};
 use crate::support::grid::grid;
 use crate::support::shared;
-use shape_up::fabricate::PanelSurface;
 use shape_up::fabricate::offset::check;
 use shape_up::fabricate::panel::lay_flat;
-use shape_up::math::plane::area;
+use shape_up::fabricate::{Build, PanelSurface, Stand};
+use shape_up::math::plane::{area, rotated};
 use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::{Mesh, Ragged};
-use shape_up::scene::{BuildSettings, OffsetKind};
+use shape_up::scene::{BuildSettings, OffsetKind, Up};
 
 /// Quads of a surface of revolution about z: each is an isosceles trapezium, whose corners are on a
 /// circle, and the four around a vertex are tangent to a cone.
@@ -196,8 +196,47 @@ fn the_first_side_of_a_reversed_panel_is_still_that_of_its_face_in_the_mesh() {
         mesh.faces.iter().zip(surface.faces.iter().zip(surface.sides.iter()))
     {
         let ends = |side: &[u32]| [side[0].min(side[1]), side[0].max(side[1])];
-        assert_eq!(ends(panel), ends(face), "arrows point to the first edge in the model");
+        assert_eq!(
+            ends(panel),
+            ends(face),
+            "rotations are counted from the first edge in the model"
+        );
         assert_eq!(surface.edges[sides[0] as usize].ends, ends(face));
+    }
+}
+
+#[test]
+fn arrows_point_up_the_slope_and_on_level_panels_to_the_top_of_the_plan() {
+    let flat = grid(2, 2, |i, j| [f64::from(i), f64::from(j), 0.02 * f64::from(i)]);
+    for (up, upwards, north) in
+        [(Up::Z, [0.0, 0.0, 1.0], [0.0, 1.0, 0.0]), (Up::Y, [0.0, 1.0, 0.0], [0.0, 0.0, -1.0])]
+    {
+        let [upwards, north] = [upwards, north].map(Vec3::from);
+        // The axes of a mesh with y up.
+        let stood = |mesh: &Mesh| {
+            let at = mesh.positions.iter().map(|&[x, y, z]| match up {
+                Up::Z => [x, y, z],
+                Up::Y => [x, z, -y],
+            });
+            Mesh { positions: at.collect(), ..mesh.clone() }
+        };
+        let mut level = 0;
+        for mesh in [stood(&revolution(6, 4)), stood(&flat)] {
+            let stand = Stand { up, ..Stand::default() };
+            let made = Build::new(&mesh, &BuildSettings::default(), metres(), &stand).unwrap();
+            for (flat, cut) in made.flat.iter().flatten().zip(made.cut.iter().flatten()) {
+                let arrow = made.parts[cut.part].arrow.unwrap();
+                let [x, y] = rotated(arrow, [cut.turn[0], -cut.turn[1]]);
+                let way = flat.axes[0] * x + flat.axes[1] * y;
+                let normal = flat.axes[0].cross(flat.axes[1]);
+                let is_level = normal.dot(upwards) > 0.997;
+                level += usize::from(is_level);
+                let to = if is_level { north } else { upwards };
+                assert!((way.length() - 1.0).abs() < 1e-12 && way.dot(to) > 0.0, "{way:?}");
+                assert!(way.dot(normal.cross(to)).abs() < 1e-12, "{way:?} is not the steepest");
+            }
+        }
+        assert!(level >= 4, "{level}");
     }
 }
 

@@ -1,7 +1,7 @@
 //! Key drawings: every part has its name where it is.
 
 use super::identities::revolution;
-use super::{build, metres};
+use super::{build, metres, text_of};
 use crate::support::grid::grid;
 use shape_up::fabricate::file::Drawing;
 use shape_up::fabricate::sheet::{Role, strokes, text_width};
@@ -38,12 +38,15 @@ fn cuboid(low: f64, high: f64) -> Mesh {
 }
 
 #[test]
-fn a_roof_is_seen_from_above_with_each_name_on_its_panel() {
+fn a_roof_is_seen_from_above_and_from_a_side_with_each_name_on_its_panel() {
     let mesh = grid(6, 4, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
     let made = build(&mesh, &BuildSettings::default());
     let key = made.key(true);
-    let [drawing] = &key[..] else { panic!("{} drawings", key.len()) };
-    assert_eq!(drawing.title, "KEY 1/1, NOT TO BE CUT, SEEN FROM ABOVE");
+    let [drawing, side] = &key[..] else { panic!("{} drawings", key.len()) };
+    assert_eq!(drawing.title, "KEY 1/2, NOT TO BE CUT, SEEN FROM ABOVE");
+    // It rises to one corner, and faces the other.
+    assert_eq!(side.title, "KEY 2/2, NOT TO BE CUT, SEEN FROM -X -Y, ABOVE");
+    assert_eq!(names(side).len(), mesh.faces.len());
     let found = names(drawing);
     assert_eq!(found.len(), mesh.faces.len());
     // One scale and one offset take the middles of all panels to their names.
@@ -189,7 +192,7 @@ fn a_piece_of_paper_is_named_on_each_of_its_panels() {
 fn a_sheet_says_which_side_is_seen_and_what_its_arrows_mean() {
     let mesh = grid(3, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
     for (product, print_inside, words) in [
-        (Product::Panels, false, "SEEN FROM OUTSIDE, ARROW: TO ITS FIRST EDGE IN THE MODEL"),
+        (Product::Panels, false, "SEEN FROM OUTSIDE, ARROW: UP, IF LEVEL TO THE TOP OF KEY 1"),
         (
             Product::Fins,
             false,
@@ -197,6 +200,11 @@ fn a_sheet_says_which_side_is_seen_and_what_its_arrows_mean() {
         ),
         (Product::Paper, false, "SEEN FROM OUTSIDE"),
         (Product::Paper, true, "SEEN FROM INSIDE, MIRRORED"),
+        (
+            Product::Panels,
+            true,
+            "SEEN FROM INSIDE, MIRRORED, ARROW: UP, IF LEVEL TO THE TOP OF KEY 1",
+        ),
     ] {
         let settings = BuildSettings { product, print_inside, ..BuildSettings::default() };
         let [_, height] = settings.sheet;
@@ -205,5 +213,20 @@ fn a_sheet_says_which_side_is_seen_and_what_its_arrows_mean() {
         for letter in strokes(words, 2.5, [middle, height - 2.5], [1.0, 0.0]) {
             assert!(drawings[0].lines.iter().any(|line| line.points == letter), "{words}");
         }
+    }
+}
+
+#[test]
+fn a_legend_without_room_on_the_sheets_is_said_to_be_in_the_summary() {
+    let mesh = grid(3, 2, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    for (margin, outlines_only, is_said) in
+        [(5.0, false, false), (3.0, false, true), (3.0, true, false)]
+    {
+        let own = BuildSettings { margin, outlines_only, ..BuildSettings::default() };
+        let made = build(&mesh, &own);
+        let said = made.words(&made.report()).warnings.concat();
+        assert_eq!(said.contains("no room for their legend"), is_said, "{margin}: {said}");
+        let summary = text_of(&made, "summary.csv");
+        assert!(summary.contains("\r\nlegend of the sheets,\"SEEN FROM OUTSIDE, ARROW: UP"));
     }
 }

@@ -56,7 +56,7 @@ fn names_lie_on_their_panels_and_their_tabs() {
 }
 
 #[test]
-fn pieces_with_small_names_are_counted_and_not_their_panels() {
+fn pieces_with_panels_too_small_for_their_names_are_counted_and_not_their_panels() {
     let own = BuildSettings { scale: 80.0, ..settings(Pieces::Nets) };
     let made = build(&revolution(9, 7), &own);
     assert!(

@@ -21,6 +21,50 @@ fn a_pdf_is_tiled_to_the_page() {
     assert_eq!(document.get_pages().len(), made.layout.sheets.len());
 }
 
+#[test]
+fn a_page_has_only_the_lines_that_are_on_it() {
+    let own = BuildSettings { page: Page::A4, ..settings(Pieces::Nets) };
+    let document =
+        lopdf::Document::load_mem(&bytes_of(&build(&revolution(9, 7), &own), "sheets.pdf"))
+            .unwrap();
+    let pages = document.get_pages();
+    let mut counts = Vec::new();
+    for page in pages.values() {
+        let content = document.get_and_decode_page_content(*page).unwrap();
+        let (mut frame, mut origin, mut paths) = (None, [0.0; 2], Vec::<Vec<[f64; 2]>>::new());
+        for operation in &content.operations {
+            let numbers: Vec<f64> = operation
+                .operands
+                .iter()
+                .filter_map(|one| one.as_float().ok())
+                .map(f64::from)
+                .collect();
+            match (&*operation.operator, &numbers[..]) {
+                ("re", &[x, y, width, height]) => frame = Some([[x, y], [x + width, y + height]]),
+                ("cm", &[_, _, _, _, x, y]) => origin = [x, y],
+                ("m", &[x, y]) => paths.push(vec![[x + origin[0], y + origin[1]]]),
+                ("l", &[x, y]) => paths.last_mut().unwrap().push([x + origin[0], y + origin[1]]),
+                ("Q", _) => break,
+                _ => {}
+            }
+        }
+        let [low, high] = frame.expect("it is clipped");
+        for path in &paths {
+            let is_on_it = (0..2).all(|k| {
+                path.iter().any(|point| point[k] < high[k] + 0.2)
+                    && path.iter().any(|point| point[k] > low[k] - 0.2)
+            });
+            assert!(is_on_it, "{path:?}");
+        }
+        counts.push(paths.len());
+    }
+    let whole = BuildSettings { page: Page::Sheet, ..own };
+    let all: usize =
+        build(&revolution(9, 7), &whole).drawings().iter().map(|own| own.lines.len()).sum();
+    // Few lines are on two pages.
+    assert!(counts.iter().sum::<usize>() < 2 * all, "{counts:?} of {all}");
+}
+
 /// The pages of the sheets of a build: their sizes in mm, as a reader of the file computes them.
 fn printed(made: &Build) -> Vec<[f64; 2]> {
     let document = lopdf::Document::load_mem(&bytes_of(made, "sheets.pdf")).expect("it is PDF");

@@ -83,7 +83,13 @@ fn a_link_that_is_too_long_to_type_is_not_printed() {
     let long = format!("{LINK}{}", "x".repeat(1000));
     let words = "Click to open it; the link is too long to print.".to_owned();
     assert_eq!(link(long.clone()), Some([long, words]));
-    assert_eq!(link(String::new()), None);
+    // A script is no address of a model, however it is written.
+    for wrong in
+        ["", "javascript:alert(1)", "JaVaScRiPt://%0Aalert(1)", "\thttps:", "data:text/html,a"]
+    {
+        assert_eq!(link(wrong.to_owned()), None, "{wrong}");
+    }
+    assert!(link("HTTPS://example.org".to_owned()).is_some());
 }
 
 #[test]

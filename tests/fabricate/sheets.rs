@@ -2,6 +2,7 @@
 //! they share.
 
 use super::files::settings;
+use super::identities::revolution;
 use super::{build, dxf, text_of};
 use crate::support::grid::grid;
 use shape_up::fabricate::{Build, BuildFile, Splice};
@@ -9,6 +10,7 @@ use shape_up::math::cosine_and_sine_of_degrees;
 use shape_up::math::plane::{Point2, area, bounds, distance, minus};
 use shape_up::mesh::{Mesh, Ragged};
 use shape_up::scene::{BuildSettings, Names, Order, Product};
+use std::collections::BTreeSet;
 
 #[test]
 fn a_part_that_fits_only_along_another_side_than_that_of_its_smallest_box_is_laid() {
@@ -258,7 +260,7 @@ fn a_panel_in_pieces_fits_the_sheet_and_its_plates_are_drilled_with_it() {
     let advice = whole.words(&whole.report()).advice;
     let advised =
         advice.iter().flat_map(|advice| &advice.choices).find(|own| own.setting == "splice");
-    let splice = advised.expect("it helps").value;
+    let splice = advised.and_then(|own| own.value).expect("it helps");
     let made = build(&mesh, &BuildSettings { splice, ..own });
     let report = made.report();
     assert_eq!((report.too_large.len(), report.spliced, report.plates), (0, 1, 2));
@@ -308,5 +310,73 @@ fn a_panel_in_pieces_fits_the_sheet_and_its_plates_are_drilled_with_it() {
         assert!(aside(seam[1]).abs() < 1e-3);
         let [one, other] = pieces.map(|piece| made.parts[piece].outline.iter().map(|&p| aside(p)));
         assert!(one.fold(0.0, f64::max) > 1.0 && other.fold(0.0, f64::min) < -1.0);
+    }
+}
+
+#[test]
+fn totals_are_the_sums_of_the_tables_and_of_the_drawings() {
+    let of = |product| BuildSettings {
+        product,
+        scale: 10.0,
+        thickness: 3.0,
+        joint: 0.01,
+        ..BuildSettings::default()
+    };
+    let sheet = [1000.0, 700.0];
+    let fins = BuildSettings { disc: None, sheet, distance: Some(0.3), ..of(Product::Fins) };
+    for (own, tables) in [
+        (BuildSettings { sheet, ..of(Product::Panels) }, vec!["panels.csv"]),
+        // Without a gap, common lines are cut once.
+        (BuildSettings { sheet, gap: 0.0, ..of(Product::Panels) }, vec!["panels.csv"]),
+        (BuildSettings { sheet: [60.0, 45.0], ..of(Product::Panels) }, vec!["panels.csv"]),
+        (
+            BuildSettings { sheet: [60.0, 45.0], splice: 20.0, ..of(Product::Panels) },
+            vec!["panels.csv", "splices.csv"],
+        ),
+        (fins, vec!["fins.csv", "discs.csv"]),
+        (BuildSettings { sheet, ..of(Product::Paper) }, vec!["pieces.csv"]),
+    ] {
+        let made = build(&revolution(9, 7), &own);
+        let report = made.report();
+        let (mut parts, mut area, mut tabs, mut sheets) = (0, 0.0, 0, BTreeSet::new());
+        for name in tables {
+            let text = text_of(&made, name);
+            let header: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+            let at = |column: &str| header.iter().position(|own| *own == column);
+            for row in text.lines().skip(1) {
+                let cell = |column: &str| at(column).map(|at| row.split(',').nth(at).unwrap());
+                let Ok(sheet) = cell("sheet").unwrap().parse::<usize>() else { continue };
+                sheets.insert(sheet);
+                parts += 1;
+                area += cell("area_sheet_mm2").unwrap().parse::<f64>().unwrap();
+                tabs += cell("tabs").map_or(0, |tabs| tabs.parse().unwrap());
+            }
+        }
+        let summary = text_of(&made, "summary.csv");
+        let total = |what: &str| -> f64 {
+            let row = summary.lines().find_map(|row| row.strip_prefix(&format!("{what},")));
+            row.unwrap().split(',').next().unwrap().parse().unwrap()
+        };
+        assert!(parts > 0, "{own:?}");
+        assert_eq!(
+            (total("parts on sheets"), total("sheets")),
+            (parts as f64, sheets.len() as f64)
+        );
+        assert!((total("area of parts") - area).abs() < 1e-4 * parts as f64, "{own:?}");
+        assert_eq!(report.paper.as_ref().map_or(0, |paper| paper.tabs), tabs);
+        // What a machine would do for the drawings.
+        let drawings = made.files(true).into_iter().filter(|file| file.name.ends_with(".dxf"));
+        let lines =
+            drawings.flat_map(|file| dxf::polylines(std::str::from_utf8(&file.bytes).unwrap()));
+        let cuts = lines.filter(|line| ["CUT", "HOLE"].contains(&&*line.layer));
+        let length: f64 = cuts
+            .map(|line| {
+                let around =
+                    line.points.iter().chain(line.points.first().filter(|_| line.is_closed));
+                let points: Vec<_> = around.collect();
+                points.windows(2).map(|ends| distance(*ends[0], *ends[1])).sum::<f64>()
+            })
+            .sum();
+        assert!((total("length of cuts") / length - 1.0).abs() < 1e-6, "{own:?}: {length}");
     }
 }

@@ -134,3 +134,26 @@ fn panels_with_notches_and_many_corners_are_triangles() {
         assert!(areas.len() == 6 && areas.iter().all(|own| *own > 0.0), "{layer} {areas:?}");
     }
 }
+
+#[test]
+fn panels_are_groups_of_their_names_over_the_nodes() {
+    let mesh = revolution(9, 7);
+    for product in [Product::Panels, Product::Paper] {
+        let made = build(&mesh, &BuildSettings { product, ..BuildSettings::default() });
+        let text = text_of(&made, "panels.obj");
+        assert!(text.contains("# its first vertex is node N0"), "{}", &text[..200]);
+        let read = shape_up::mesh::read("panels.obj", text.as_bytes()).unwrap().mesh;
+        assert_eq!(
+            (read.positions.len(), read.faces.len()),
+            (mesh.positions.len(), mesh.faces.len())
+        );
+        for (face, name) in (0..).zip(&made.names) {
+            let own = read.groups.iter().find(|group| group.name == *name);
+            assert_eq!(own.map(|group| &*group.faces), Some(&[face][..]), "{name}");
+        }
+        let away = |(p, q): (&[f64; 3], &[f64; 3])| {
+            (0..3).map(|k| (p[k] - q[k]).abs()).fold(0.0, f64::max)
+        };
+        assert!(read.positions.iter().zip(&mesh.positions).all(|pair| away(pair) < 1e-9));
+    }
+}

@@ -3,9 +3,10 @@
 use super::identities::revolution;
 use super::{build, text_of};
 use crate::support::grid::grid;
+use shape_up::fabricate::sheet::NamePlace;
 use shape_up::fabricate::{BuildReport, CheckWords, PanelSuggestion};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BuildSettings, Fold, Names, OffsetKind, Product};
+use shape_up::scene::{BuildSettings, CheckLimits, Fold, Names, OffsetKind, Product};
 
 /// Quads that are neither flat nor circular.
 fn wavy() -> Mesh {
@@ -80,10 +81,61 @@ fn a_joint_is_needed_where_panels_of_a_thickness_would_collide() {
         ),
         ([None, None], "need no joint."),
     ] {
-        assert_eq!(joint(least), format!("Panels of 0.5 mm {words}"));
+        let said = joint(least);
+        assert!(said.starts_with(&format!("Panels of 0.5 mm {words}")), "{said}");
+        let sides = [" outside between P", " inside between P"].map(|side| said.contains(side));
+        assert_eq!(sides, least.map(|least| least.is_some()), "{said}");
     }
     let thin = build(&wavy(), &BuildSettings { thickness: 0.0, ..own });
     assert!(thin.words(&thin.report()).joint.is_empty());
+}
+
+#[test]
+fn a_joint_that_is_enough_on_one_side_is_said_to_be_so_with_the_worst_edge_of_either() {
+    // A ridge of 30 degrees between the first two of three panels, a valley of 60 between the last two.
+    let [c, s] = shape_up::math::cosine_and_sine_of_degrees(30.0);
+    let profile = [[-c, -s], [0.0, 0.0], [1.0, 0.0], [1.5, 0.75_f64.sqrt()]];
+    let mesh = grid(3, 1, |i, j| [profile[i as usize][0], f64::from(j), profile[i as usize][1]]);
+    let words = |joint: f64| {
+        let own = BuildSettings { thickness: 3.0, joint, scale: 10.0, ..BuildSettings::default() };
+        let made = build(&mesh, &own);
+        let report = made.report();
+        assert_eq!(report.least_joint_at, ["P1 and P2", "P0 and P1"]);
+        made.words(&report)
+    };
+    // 2 T tan of half of the fold: 3.46 mm outside, 1.61 mm inside.
+    let neither = words(0.01);
+    assert!(neither.joint.is_empty() && neither.advice[0].choices.len() == 2, "{neither:?}");
+    assert!(
+        neither.advice[0].words.ends_with("P1 and P2, inside between P0 and P1."),
+        "{neither:?}"
+    );
+    for (joint, end) in [(0.02, "is enough inside only."), (0.04, "is enough on both sides.")] {
+        let said = words(joint);
+        assert_eq!(said.advice, []);
+        assert!(said.joint.contains("3.46 mm outside") && said.joint.ends_with(end), "{said:?}");
+    }
+}
+
+#[test]
+fn the_smallest_part_is_named_with_its_width_where_that_is_below_its_limit() {
+    // The panel in the middle is 60 mm wide, and so 3 mm on the sheet.
+    let x = [0.0, 1.0, 1.06, 2.0];
+    let mesh = grid(3, 1, |i, j| [x[i as usize], f64::from(j), 0.0]);
+    let made = |part: f64| {
+        let limits = CheckLimits { part, ..CheckLimits::default() };
+        let own = BuildSettings { scale: 20.0, limits, ..BuildSettings::default() };
+        let made = build(&mesh, &own);
+        let report = made.report();
+        assert_eq!(report.smallest_part, "P1");
+        let [length, width] = report.smallest_part_mm.unwrap();
+        assert!((length - 50.0).abs() < 1e-9 && (width - 3.0).abs() < 1e-9);
+        assert!(text_of(&made, "summary.csv").contains("\r\nsmallest part,P1,\r\n"));
+        made.words(&report).warnings.concat()
+    };
+    let said = "Narrower than 3.5 mm on the sheet: P1. The smallest part is P1, 3.00 mm wide and 50.0 mm long.";
+    assert!(made(3.5).contains(said), "{}", made(3.5));
+    assert!(!made(2.9).contains("Narrower"));
 }
 
 #[test]
@@ -93,9 +145,13 @@ fn a_row_of_the_check_has_its_value_its_limit_and_whether_it_is_met() {
     let words = made.card_words(&card);
     assert_eq!(words, made.words(&made.report()).card);
     let at = |id: &str| card.check.iter().position(|row| row.id == id).unwrap();
-    let CheckWords { value, limit, state } = &words.check[at("panel_flatness")];
+    let CheckWords { value, limit, state, .. } = &words.check[at("panel_flatness")];
     assert!(value.ends_with(" mm") && limit.starts_with("≤ ") && limit.ends_with(" mm"));
     assert_eq!(state, &format!("not satisfied by {}", card.check[at("panel_flatness")].failed));
+    for (row, said) in card.check.iter().zip(&words.check) {
+        assert!(said.meaning.ends_with('.'), "{said:?}");
+        assert_eq!(said.remedy.is_empty(), row.met != Some(false), "{said:?}");
+    }
     let lean = &words.check[at("lean")];
     assert!(lean.value.ends_with('°') && lean.limit.ends_with('°'), "{lean:?}");
     let PanelSuggestion { constraint, .. } = card.tighten.suggestions[0];
@@ -215,14 +271,21 @@ fn the_summary_says_how_to_read_the_tables_and_names_that_are_there() {
 }
 
 #[test]
-fn a_name_beside_a_part_or_nowhere_is_not_a_small_name_on_it() {
-    // Slivers too narrow for any letter.
+fn names_lower_than_2_mm_are_not_engraved_but_counted_and_tabulated() {
+    // Slivers too narrow for letters.
     let sliver = grid(3, 1, |i, j| [f64::from(i), 2e-3 * f64::from(j), 0.0]);
     let own = BuildSettings { scale: 50.0, ..BuildSettings::default() };
     let made = build(&sliver, &own);
     let report = made.report();
-    assert_eq!((report.placed, report.left_out.small_names), (3, 0));
+    assert_eq!((report.placed, report.left_out.small_names), (3, 3));
     assert_eq!(report.left_out.dropped_names, 4);
+    assert!(made.parts.iter().all(|part| part.named != NamePlace::OnPart));
+    let said = "3 parts have no room for letters of 2 mm; the tables say where each name is.";
+    assert!(made.words(&report).warnings.contains(&said.to_owned()));
+    let table = text_of(&made, "panels.csv");
+    assert!(
+        table.lines().skip(1).all(|row| row.contains(",beside it,") || row.contains(",nowhere,"))
+    );
 }
 
 #[test]

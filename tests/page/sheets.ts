@@ -23,6 +23,13 @@ export async function openParts(page: Page) {
   return reportOf(await waitForState(page, (now) => now.build !== null));
 }
 
+/** The field of a setting of this name, unfolded. */
+export async function settingOf(page: Page, name: string) {
+  const field = partsPanel(page).getByLabel(name);
+  await field.evaluate((own) => own.closest('details')?.setAttribute('open', ''));
+  return field;
+}
+
 /** The files of an archive by name. */
 export const filesOf = (bytes: Uint8Array) =>
   Object.fromEntries(

@@ -287,7 +287,7 @@ fn build(tokens: &mut Tokens) -> Result<Command, String> {
             "--out" => build.out = Some(tokens.output(&name)?),
             "--report" => build.report = Some(tokens.output(&name)?),
             "--report-page" => build.report_page = Some(tokens.page(&name)?),
-            "--link" => build.link = Some(tokens.text(&name)?),
+            "--link" => build.link = Some(tokens.address(&name)?),
             _ => {
                 let is_named = |one: &&BuildSetting| one.option().as_ref() == Some(&name);
                 let Some(setting) = BUILD_SETTINGS.iter().find(is_named) else {

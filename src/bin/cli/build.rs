@@ -145,14 +145,18 @@ fn paper_line(paper: &PaperReport) -> String {
 /// An advice, with the options that follow it.
 fn advice_line(Advice { words, choices }: &Advice) -> String {
     let option = |choice: &AdvisedValue| {
-        Some(format!("{} {}", declared(choice.setting)?.option()?, choice.value))
+        let value = choice.value.map_or("auto".to_owned(), |value| value.to_string());
+        Some(format!("{} {value}", declared(choice.setting)?.option()?))
     };
     let options: Vec<String> = choices.iter().filter_map(option).collect();
     format!("{words} Try {}.", options.join(" or "))
 }
 
-fn check_line((row, CheckWords { value, limit, state }): (&CheckRow, &CheckWords)) -> String {
+fn check_line(
+    (row, CheckWords { value, limit, state, remedy, .. }): (&CheckRow, &CheckWords),
+) -> String {
     let limit = if limit.is_empty() { String::new() } else { format!(" ({limit})") };
     let state = if state.is_empty() { String::new() } else { format!(": {state}") };
-    format!("{:<15} {value}{limit}{state}", row.label)
+    let remedy = if remedy.is_empty() { String::new() } else { format!(". {remedy}") };
+    format!("{:<15} {value}{limit}{state}{remedy}", row.label)
 }

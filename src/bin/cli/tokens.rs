@@ -3,6 +3,7 @@
 use lexopt::Arg;
 use serde_json::{Value, json};
 use shape_up::constraint::{KINDS, Set};
+use shape_up::fabricate::ReportView;
 use shape_up::mesh::FileFormat;
 use shape_up::scene::{
     BUILD_PRESETS, BoundaryRequire, BuildForm, BuildPreset, BuildSetting, NamedEnum, PresetOf,
@@ -309,6 +310,17 @@ impl Tokens {
         let set = json!({ "vertices": self.text(name)? });
         let set: Set = serde_json::from_value(set).map_err(|fault| format!("{name}: {fault}"))?;
         Ok(set.vertices.to_vec())
+    }
+
+    /// Returns the value of an option that takes an address of the web.
+    pub(super) fn address(&mut self, name: &str) -> Result<String, String> {
+        let value = self.text(name)?;
+        match ReportView::is_web_address(&value) {
+            true => Ok(value),
+            false => Err(format!(
+                "{name} takes an address that begins with https:// or http://, found `{value}`"
+            )),
+        }
     }
 
     /// Returns the value of an option that takes any text.

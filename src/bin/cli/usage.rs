@@ -65,8 +65,8 @@ watch solves again whenever the file is saved, until it is stopped: the program 
 the shape of what it saved.
 build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
-of where each part goes (key-*.svg, key.pdf), tables (CSV), a presentation ({}) and, with fins,
-the beams as solids (beams.obj).
+of where each part goes (key-*.svg, key.pdf), tables (CSV), a presentation ({}), and the panels by
+name (panels.obj) or, with fins, the beams as solids (beams.obj).
 --splice cuts panels that are larger than the sheet into pieces, with plates of that width behind their
 seams. --disc makes a plate for each node that the fins there are pushed into, on tenons; plates.obj has
 all as assembled. --one-file-each draws each part by itself too, in the folder {}/.

@@ -61,6 +61,8 @@ pub struct FreeBand {
 /// Largest and least height of title and legend in mm; what does not fit into the margin is left out.
 const TITLE: f64 = 2.5;
 const LEAST: f64 = 1.0;
+/// The least margin for them, in mm.
+const ROOM: f64 = TITLE + 1.5;
 /// Height of a free band in mm.
 const BAND: f64 = 2.0;
 /// Width of lines in mm: machines take thin ones for cuts.
@@ -136,7 +138,7 @@ impl Drawing {
         let [width, height] = self.size;
         let corners = vec![[0.0, 0.0], [width, 0.0], [width, height], [0.0, height], [0.0, 0.0]];
         self.add(corners);
-        if margin < TITLE + 1.5 {
+        if margin < ROOM {
             return;
         }
         let middle = 0.5 * margin;
@@ -147,9 +149,8 @@ impl Drawing {
             (self.title.clone(), middle, within),
         ];
         for (text, y, free) in lines {
-            let height = height_within(&text, TITLE, width - 2.0 * margin);
             let mut left = margin;
-            if height >= LEAST {
+            if let Some(height) = Drawing::height_in_margin(&text, width, margin) {
                 let long = text_width(&text, height);
                 let centre = [left + 0.5 * long, y];
                 strokes(&text, height, centre, [1.0, 0.0])
@@ -162,6 +163,17 @@ impl Drawing {
         }
         let (from, length) = ([within, margin], height - 2.0 * margin);
         self.free.push(FreeBand { from, along: [0.0, 1.0], length });
+    }
+
+    /// The height of a title or a legend in the margin of a sheet of this width, all in mm; none if it has
+    /// no room.
+    pub(in crate::fabricate) fn height_in_margin(
+        text: &str,
+        width: f64,
+        margin: f64,
+    ) -> Option<f64> {
+        let height = height_within(text, TITLE, width - 2.0 * margin);
+        (margin >= ROOM && height >= LEAST).then_some(height)
     }
 
     fn add(&mut self, points: Vec<Point2>) {

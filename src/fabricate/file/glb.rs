@@ -1,5 +1,5 @@
 //! Binary glTF 2.0, for presentations and augmented reality viewers: a node for each layer and each of
-//! its parts, and one buffer. There are no normals, so that viewers shade faces flat, as panels are.
+//! its parts and points, and one buffer. There are no normals, so that viewers shade faces flat, as panels are.
 
 use crate::fabricate::panel::triangles_in_space;
 use crate::math::Vec3;
@@ -14,6 +14,8 @@ pub struct GlbLayer {
     pub colour: [f32; 4],
     /// What is on it.
     pub parts: Vec<GlbPart>,
+    /// Named points on it, in metres, of which nothing is drawn.
+    pub points: Vec<(String, [f32; 3])>,
 }
 
 /// Faces that are one object.
@@ -46,7 +48,7 @@ impl GlbPart {
 const POINTS: u32 = 34962;
 const CORNERS: u32 = 34963;
 
-/// Writes layers of parts, without parts that have no triangles and layers that have no parts. In glTF
+/// Writes layers of parts, without parts that have no triangles and layers that have nothing. In glTF
 /// y points up: if z points up in the model, the root node is rotated.
 pub fn glb(layers: &[GlbLayer], z_up: bool) -> Vec<u8> {
     // The first node is the root.
@@ -54,7 +56,7 @@ pub fn glb(layers: &[GlbLayer], z_up: bool) -> Vec<u8> {
     let [mut meshes, mut materials, mut accessors] = [(); 3].map(|()| Vec::new());
     let mut roots: Vec<usize> = Vec::new();
     let (mut points, mut corners): (Vec<u8>, Vec<u8>) = Default::default();
-    for GlbLayer { name, colour, parts } in layers {
+    for GlbLayer { name, colour, parts, points: named } in layers {
         let mut children = Vec::new();
         for part in parts.iter().filter(|part| !part.triangles.is_empty()) {
             let at = accessors.len();
@@ -78,6 +80,11 @@ pub fn glb(layers: &[GlbLayer], z_up: bool) -> Vec<u8> {
                 "attributes": { "POSITION": at }, "indices": at + 1, "material": materials.len(),
             }] }));
         }
+        let has_parts = !children.is_empty();
+        for (name, at) in named {
+            children.push(nodes.len());
+            nodes.push(json!({ "name": name, "translation": at }));
+        }
         if children.is_empty() {
             continue;
         }
@@ -89,7 +96,9 @@ pub fn glb(layers: &[GlbLayer], z_up: bool) -> Vec<u8> {
         if colour[3] < 1.0 {
             material["alphaMode"] = "BLEND".into();
         }
-        materials.push(material);
+        if has_parts {
+            materials.push(material);
+        }
         roots.push(nodes.len());
         nodes.push(json!({ "name": name, "children": children }));
     }
@@ -106,6 +115,8 @@ pub fn glb(layers: &[GlbLayer], z_up: bool) -> Vec<u8> {
     // glTF does not allow empty lists.
     if !roots.is_empty() {
         nodes[0]["children"] = roots.into();
+    }
+    if !accessors.is_empty() {
         json["meshes"] = meshes.into();
         json["materials"] = materials.into();
         json["accessors"] = accessors.into();

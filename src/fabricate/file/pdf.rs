@@ -4,7 +4,9 @@
 use super::drawing::{Drawing, DrawnLine};
 use super::page_marks::{longest_ruler, marks};
 use super::places;
+use crate::fabricate::boxes::meet;
 use crate::fabricate::sheet::{Role, Tile, tiles};
+use crate::math::plane::{Point2, bounds};
 use crate::scene::Page;
 use miniz_oxide::deflate::compress_to_vec_zlib;
 
@@ -26,8 +28,7 @@ pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> Vec<u8> {
     let properties: Vec<String> =
         of_layers.iter().enumerate().map(|(k, number)| format!("/L{k} {number} 0 R")).collect();
     let (of_layers, properties) = (references(&of_layers), properties.join(" "));
-    // Catalogue, page tree, layers; then for each sheet its content, and three objects for each of
-    // its pages.
+    // Catalogue, page tree, layers; then the content of each page, and the page.
     let mut objects = vec![
         format!(
             "<< /Type /Catalog /Pages 2 0 R /ViewerPreferences << /PrintScaling /None >> /OCProperties << /OCGs [{of_layers}] /D << /Order [{of_layers}] >> >> >>"
@@ -40,18 +41,15 @@ pub fn pdf(drawings: &[Drawing], page: Option<[f64; 2]>) -> Vec<u8> {
     }
     let mut kids = Vec::new();
     for drawing in drawings {
-        objects.push(stream(&content(&drawing.lines)));
-        let shared = objects.len();
         for tile in tiles(drawing.size, page) {
-            let (before, after) = around(drawing, &tile);
-            objects.extend([stream(&before), stream(&after)]);
-            let contents = references(&[objects.len() - 1, shared, objects.len()]);
+            objects.push(stream(&shown(drawing, &tile)));
+            let content = objects.len();
             let unit = user_unit(tile.page);
             let [width, height] = tile.page.map(|size| places(size * POINTS / unit, 6));
             let unit = if unit > 1.0 { format!("/UserUnit {unit} ") } else { String::new() };
             objects.push(
                 format!(
-                    "<< /Type /Page /Parent 2 0 R {unit}/MediaBox [0 0 {width} {height}] /Resources << /Properties << {properties} >> >> /Contents [{contents}] >>"
+                    "<< /Type /Page /Parent 2 0 R {unit}/MediaBox [0 0 {width} {height}] /Resources << /Properties << {properties} >> >> /Contents {content} 0 R >>"
                 )
                 .into_bytes(),
             );
@@ -69,7 +67,7 @@ fn user_unit([width, height]: [f64; 2]) -> f64 {
 }
 
 /// The operators that draw some lines, layer by layer.
-fn content(lines: &[DrawnLine]) -> String {
+fn content(lines: &[&DrawnLine]) -> String {
     let mut text = String::new();
     for (k, role) in Role::ALL.into_iter().enumerate() {
         let mut own = lines.iter().filter(|line| line.role == role).peekable();
@@ -84,26 +82,34 @@ fn content(lines: &[DrawnLine]) -> String {
     text
 }
 
-/// The operators before and after the content of a sheet on one of its pages: unit, clipping
-/// rectangle, and the marks of the page.
-fn around(drawing: &Drawing, tile: &Tile) -> (String, String) {
+/// The operators of a page of a sheet: its unit, the lines that are on it, clipped if the sheet is on
+/// several, and its marks.
+fn shown(drawing: &Drawing, tile: &Tile) -> String {
     let scale = places(POINTS / user_unit(tile.page), 9);
-    let mut before = format!("{scale} 0 0 {scale} 0 0 cm\n{} w 1 J 1 j\n", places(drawing.pen, 3));
-    let mut after = String::new();
-    let lines = match tile.place {
-        None => longest_ruler(&drawing.free),
+    let mut text = format!("{scale} 0 0 {scale} 0 0 cm\n{} w 1 J 1 j\n", places(drawing.pen, 3));
+    let marks = match tile.place {
+        None => {
+            text += &content(&drawing.lines.iter().collect::<Vec<_>>());
+            longest_ruler(&drawing.free)
+        }
         Some([place, counts]) => {
             let [low, high] = Page::frame(tile.page);
             let [x, y] = tile.origin.map(|at| places(-at, 6));
             let [left, bottom] = low.map(|at| places(at, 6));
             let [width, height] = [0, 1].map(|k| places(high[k] - low[k], 6));
-            before += &format!("q {left} {bottom} {width} {height} re W n\n1 0 0 1 {x} {y} cm\n");
-            after += "Q\n";
+            text += &format!("q {left} {bottom} {width} {height} re W n\n1 0 0 1 {x} {y} cm\n");
+            // A line is as wide as the pen.
+            let of_sheet =
+                |corner: Point2, by: f64| [0, 1].map(|k| corner[k] + tile.origin[k] + by);
+            let frame = [of_sheet(low, -drawing.pen), of_sheet(high, drawing.pen)];
+            let is_on_it = |line: &&DrawnLine| meet(bounds(line.points.iter().copied()), frame);
+            text += &content(&drawing.lines.iter().filter(is_on_it).collect::<Vec<_>>());
+            text += "Q\n";
             marks(&drawing.name, tile.page, place, counts)
         }
     };
-    let lines: Vec<_> = lines.into_iter().map(DrawnLine::of_sheet).collect();
-    (before, after + &content(&lines))
+    let marks: Vec<_> = marks.into_iter().map(DrawnLine::of_sheet).collect();
+    text + &content(&marks.iter().collect::<Vec<_>>())
 }
 
 fn path(text: &mut String, line: &DrawnLine) {

@@ -1,6 +1,6 @@
-//! Key drawings: where each part goes. The shape from above, and from as many more sides as are needed
-//! until every panel, or with fins every beam and node, has its name in one of them. They are to be
-//! read, not to be cut.
+//! Key drawings: where each part goes. The shape from above, from as many more sides as are needed until
+//! every panel, or with fins every beam and node, has its name in one of them, and, unless it is level,
+//! from at least one side. They are to be read, not to be cut.
 //!
 //! | file | holds |
 //! |---|---|
@@ -24,6 +24,8 @@ use view::{Element, Mark, Spot, View};
 
 /// Tilt of the views from the sides, in radians: that of an isometric drawing.
 const TILT: f64 = 0.6155;
+/// Height of a shape relative to its mean edge up to which it is level.
+const LEVEL: f64 = 1e-3;
 
 impl Build {
     /// Draws the key, from the most important view on: the first is from above. Titles say how many names
@@ -61,6 +63,13 @@ impl Build {
             let best = best.max_by_key(|&(count, k)| (count, std::cmp::Reverse(k)));
             next = best.filter(|&(count, _)| count > 0).map(|(_, k)| others.remove(k));
         }
+        if !chosen.iter().any(|(view, ..)| is_from_a_side(view.axes, z_up))
+            && let Some(axes) = self.most_seen(z_up)
+        {
+            let (view, spots) = seen_in(axes);
+            let page = Page::of(&view, &spots, &[]);
+            chosen.push((view, spots, page));
+        }
         let count = chosen.len();
         let hidden = match missing.len() {
             0 => String::new(),
@@ -73,6 +82,25 @@ impl Build {
             page.drawing(format!("key-{number}"), title, view, (spots, &marks), &seams)
         });
         drawings.collect()
+    }
+
+    /// The view from the side that most of the panels face; none if the shape is level.
+    fn most_seen(&self, z_up: bool) -> Option<ViewAxes> {
+        let surface = &self.surface;
+        let [_, _, up] = compass(z_up);
+        let heights =
+            surface.faces.indices().iter().map(|&v| surface.positions[v as usize].dot(up));
+        let [low, high] = heights
+            .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
+        if high - low <= LEVEL * surface.mean_edge() {
+            return None;
+        }
+        let facing = |[_, _, away]: ViewAxes| -> f64 {
+            surface.areas.iter().map(|area| (-area.dot(away)).max(0.0)).sum()
+        };
+        // In a tie the first one, regardless of rounding.
+        let more = |best, other| if facing(other) > 1.001 * facing(best) { other } else { best };
+        sides(z_up).into_iter().reduce(more)
     }
 
     /// The names of the parts that are made, and where they go. The panels of a paper model have the
@@ -93,7 +121,11 @@ impl Build {
                 let f = part.panels[0];
                 let element = match self.names[f as usize] == part.name {
                     true => Element::Panel(f),
-                    false => Element::Piece(f, self.in_space(f, &part.outline)),
+                    false => {
+                        let outline: Vec<Point2> =
+                            part.outline.iter().map(|&corner| self.on_part(corner)).collect();
+                        Element::Piece(f, self.in_space(f, &outline))
+                    }
                 };
                 Mark { name: part.name.clone(), element }
             };
@@ -122,21 +154,29 @@ impl Build {
     }
 }
 
+/// The views from four sides, of an isometric drawing.
+fn sides(z_up: bool) -> [ViewAxes; 4] {
+    [0.0, 1.0, 2.0, 3.0].map(|k| from_camera(z_up, [FRAC_PI_4 + FRAC_PI_2 * k, TILT]))
+}
+
 /// The views beside that from above: from four sides, and from below.
 fn around(z_up: bool) -> Vec<ViewAxes> {
-    let mut views: Vec<ViewAxes> =
-        (0..4).map(|k| from_camera(z_up, [FRAC_PI_4 + FRAC_PI_2 * f64::from(k), TILT])).collect();
     let [east, north, up] = compass(z_up);
-    views.push([east, -north, up]);
-    views
+    sides(z_up).into_iter().chain([[east, -north, up]]).collect()
+}
+
+/// Whether a view is neither from above nor from below.
+fn is_from_a_side([_, _, away]: ViewAxes, z_up: bool) -> bool {
+    let [_, _, up] = compass(z_up);
+    away.dot(up).abs() < 0.99
 }
 
 /// Where the viewer is, in words, with the axes of the mesh.
-fn seen_from([_, _, away]: ViewAxes, z_up: bool) -> String {
+fn seen_from(axes: ViewAxes, z_up: bool) -> String {
     let [_, _, up] = compass(z_up);
-    let height = -away.dot(up);
-    if height.abs() > 0.99 {
-        return if height > 0.0 { "ABOVE" } else { "BELOW" }.to_owned();
+    let [_, _, away] = axes;
+    if !is_from_a_side(axes, z_up) {
+        return if away.dot(up) < 0.0 { "ABOVE" } else { "BELOW" }.to_owned();
     }
     let sign = |x: f64| if x < 0.0 { '+' } else { '-' };
     let (second, letter) = if z_up { (away.y, 'Y') } else { (away.z, 'Z') };

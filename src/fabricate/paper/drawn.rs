@@ -84,7 +84,7 @@ pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
 pub struct MissingNames {
     /// Neighbours' names.
     pub dropped: usize,
-    /// Whether a name that is written is too small to be read well: its own, or of one of its panels.
+    /// Whether a name has no room for letters of 2 mm: its own, or of one of its panels.
     pub small: bool,
     /// Whether its own name is missing.
     pub piece: bool,
@@ -113,15 +113,16 @@ pub fn write_names(
                 beside.reverse();
                 beside.rotate_left(1);
             }
-            let (outline, neighbours, with_arrow) = (&polygon[..], &beside[..], false);
+            let (outline, neighbours) = (&polygon[..], &beside[..]);
             let holes = &[][..];
             let named = |name: &str| {
                 label(Inscription {
                     outline,
                     name,
                     neighbours,
+                    bevels: &[],
                     is_oriented: false,
-                    with_arrow,
+                    arrow: None,
                     turn,
                     holes,
                 })
@@ -137,7 +138,7 @@ pub fn write_names(
             }
             part.engraved.extend(labels.lines);
             dropped += labels.dropped;
-            small |= labels.small && !labels.texts.is_empty();
+            small |= labels.small;
         }
     }
     for tab in model.tabs(piece) {

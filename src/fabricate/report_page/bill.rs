@@ -30,6 +30,7 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
         ("Parts on sheets", report.parts_in_words(true)),
         ("Length of cuts", millimetres(report.cut_length_mm)),
     ];
+    lines.extend(report.smallest_part_mm.map(|_| ("Smallest part", report.smallest_in_words())));
     match report.product {
         Product::Panels => {
             let least = [0, 1].map(|k| match report.no_least_joint[k] {

@@ -30,8 +30,19 @@ pub struct ReportView {
     /// Rotation of the camera about the upward axis, and its tilt down, in radians; none for the
     /// initial view.
     pub camera: Option<[f64; 2]>,
-    /// An address that opens the model; empty if there is none.
+    /// An address that opens the model; empty if there is none. Any other than of the web is left out: in
+    /// a document, `javascript:` would run as a script.
     pub link: String,
+}
+
+impl ReportView {
+    /// Whether an address is of the web: whether it begins with `https://` or `http://`.
+    pub fn is_web_address(address: &str) -> bool {
+        let begins = |with: &str| {
+            address.get(..with.len()).is_some_and(|start| start.eq_ignore_ascii_case(with))
+        };
+        begins("https://") || begins("http://")
+    }
 }
 
 impl Build {
@@ -124,7 +135,7 @@ fn check_row(row: &CheckRow, values: &[f64]) -> String {
         Some(false) => "unmet",
         None => "open",
     };
-    let CheckWords { value, limit, state } = row.words();
+    let CheckWords { value, limit, state, .. } = row.words();
     let [value, limit, state] = [value, limit, state].map(|words| escaped(&words));
     let spread = histogram(values, row.limit.unwrap_or_default(), |end| row.value_in_words(end));
     format!(
@@ -144,7 +155,7 @@ fn materials(columns: [Vec<Line>; 2]) -> String {
 fn foot(link: &str) -> String {
     let program = concat!("Shape-Up ", env!("CARGO_PKG_VERSION"));
     let link = match link.chars().count() {
-        0 => String::new(),
+        _ if !ReportView::is_web_address(link) => String::new(),
         length => {
             let words = match length > MOST_LINK {
                 true => "Click to open it; the link is too long to print.".to_owned(),

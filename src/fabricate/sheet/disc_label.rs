@@ -2,7 +2,7 @@
 //! slot, and beside each slot that of the node that its fin leads to. Names that do not fit are made
 //! smaller down to a readable height, then left out and counted.
 
-use super::label::{ALIKE, LEAST, LEAST_OWN, Labels, TALLEST, underline, upright};
+use super::label::{ALIKE, LEAST, Labels, TALLEST, underline, upright};
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
 use super::text_box::{ROOM, TextBox};
@@ -75,7 +75,7 @@ fn labels_of(
         labels.texts.push(name.to_owned());
         taken.push(own);
     }
-    labels.small = height < LEAST;
+    labels.small = found.is_none();
     let mut highest: f64 = 0.0;
     for k in 0..slots.len() {
         let tallest = (OF_OWN * height).clamp(LEAST, TALLEST);
@@ -119,8 +119,8 @@ fn own_name(
             false => [-b, a],
         }
     };
-    let mut height = tallest.min(TALLEST);
-    while height >= LEAST_OWN {
+    let mut height = tallest.clamp(LEAST, TALLEST);
+    while height >= LEAST {
         for share in shares() {
             for k in 0..n {
                 let away = between(k);
@@ -134,7 +134,7 @@ fn own_name(
                 }
             }
         }
-        height *= SMALLER;
+        height = if height > LEAST { (SMALLER * height).max(LEAST) } else { 0.0 };
     }
     None
 }

@@ -1,19 +1,20 @@
-//! Names inside an outline: its own in the middle, optionally an arrow to edge 0, and the names of
+//! Names inside an outline: its own in the middle, optionally an arrow beside it, and the names of
 //! neighbours along their edges, or across short ones. Names that do not fit are made smaller down
 //! to a readable height, then left out and counted. All names are upright on the sheet, however the
 //! part is rotated.
 
+use super::arrow::draw_arrow;
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
 use super::text_box::{ROOM, TextBox};
+use crate::fabricate::file::places;
 use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point, sides};
 use crate::math::plane::{Point2, distance, dot, rotated};
 
 /// Largest height of neighbours' names, in mm.
 pub(super) const TALLEST: f64 = 8.0;
-/// Smallest height of names, in mm, and that of a part's own name if there is no room for more.
+/// Smallest height of names, in mm: lower ones are not engraved.
 pub(super) const LEAST: f64 = 2.0;
-pub(super) const LEAST_OWN: f64 = 1.0;
 /// Height of neighbours' names relative to the radius of the largest circle in the outline.
 const OF_RADIUS: f64 = 0.25;
 /// Height of the own name relative to neighbours' names; smaller if that leaves room for more.
@@ -44,7 +45,7 @@ pub struct Labels {
     pub texts: Vec<String>,
     /// Neighbours' names without room.
     pub dropped: usize,
-    /// Whether its own name is too small to be read well, or not written for lack of room.
+    /// Whether its own name is not written, for lack of room for letters of 2 mm.
     pub small: bool,
 }
 
@@ -58,12 +59,15 @@ pub struct Inscription<'a> {
     /// For each edge, the name of the neighbour there, if any. Edge `k` goes from corner `k` to the
     /// next one.
     pub neighbours: &'a [Option<String>],
+    /// For each edge the bevel there in degrees, if any: written behind the neighbour's name if both have
+    /// room, positive where the inside is cut back. Edges beyond the last have none.
+    pub bevels: &'a [Option<f64>],
     /// Whether its letters say how it lies, as on a fin: its own name runs in one direction only, that
     /// of the sheet. It has names at its ends only, so that a side without a neighbour is not taken for
     /// that of a name near it, as on a panel.
     pub is_oriented: bool,
-    /// Whether an arrow points to edge 0.
-    pub with_arrow: bool,
+    /// Where its arrow points, as a unit vector.
+    pub arrow: Option<Point2>,
     /// The rotation of the part on its sheet, as cosine and sine.
     pub turn: Point2,
     /// Holes in the part, which names must avoid.
@@ -76,7 +80,7 @@ pub fn label(own: Inscription<'_>) -> Labels {
     let mut best: Option<(usize, Labels)> = None;
     for height in OWN {
         let (labels, has_arrow) = label_of_height(own, room, height);
-        let missing = labels.dropped + usize::from(own.with_arrow && !has_arrow);
+        let missing = labels.dropped + usize::from(own.arrow.is_some() && !has_arrow);
         if best.as_ref().is_none_or(|(least, _)| missing < *least) {
             best = Some((missing, labels));
         }
@@ -89,7 +93,7 @@ pub fn label(own: Inscription<'_>) -> Labels {
 
 /// As `label`, with the relative height `own` of the own name; also whether the arrow is there.
 fn label_of_height(
-    Inscription { outline, name, neighbours, is_oriented, with_arrow, turn, holes }: Inscription<
+    Inscription { outline, name, neighbours, bevels, is_oriented, arrow, turn, holes }: Inscription<
         '_,
     >,
     (centre, radius): (Point2, f64),
@@ -113,30 +117,33 @@ fn label_of_height(
     let across = direction_of(outline[longest], outline[(longest + 1) % n]);
     let beside = (OF_RADIUS * radius).clamp(LEAST, TALLEST);
     let mut taken: Vec<TextBox> = holes.iter().map(TextBox::of_hole).collect();
-    let (mut height, mut own) = (own * beside, None);
+    let mut height = own * beside;
     // Try the roomiest point (it may be beside a hole at one end of a slender part) and the middle;
     // along the sheet and along the longest edge; with decreasing height until the name is inside.
     let middle = middle(outline);
     let sheet = [turn[0], -turn[1]];
     let mut directions = vec![sheet, upright(across, turn)];
     directions.retain(|&along| !is_oriented || dot(along, sheet) > ORIENTED);
-    while own.is_none() && height >= LEAST_OWN {
-        own = [centre, middle]
+    let own = loop {
+        let found = [centre, middle]
             .into_iter()
             .flat_map(|centre| directions.iter().map(move |&along| (centre, along)))
             .map(|(centre, along)| TextBox::of_text(name, height, centre, along))
             .find(|own| own.is_in(outline) && taken.iter().all(|hole| own.is_apart(hole)));
-        if own.is_none() {
-            height *= 0.85;
+        if found.is_some() || height <= LEAST {
+            break found;
         }
-    }
+        height = (0.85 * height).max(LEAST);
+    };
     let Some(own) = own else { return (nothing(), false) };
-    labels.small = height < LEAST;
     labels.lines.extend(strokes(name, height, own.centre, own.along));
     labels.texts.push(name.to_owned());
     taken.insert(0, own);
-    let has_arrow = with_arrow && arrow(outline, &mut labels, &mut taken, height, radius);
+    let has_arrow =
+        arrow.is_some_and(|way| draw_arrow(outline, &mut labels, &mut taken, height, way));
     let mut highest: f64 = 0.0;
+    // For each name that has room: its edge, its box among those taken, its words and its height.
+    let mut beside_edges: Vec<(usize, usize, String, f64)> = Vec::new();
     let is_possible = |i: usize| !is_oriented || matches!(neighbours.get(i), Some(Some(_)));
     let possible_sides = sides(outline).enumerate().filter(|&(i, _)| is_possible(i));
     let possible_sides: Vec<[Point2; 2]> = possible_sides.map(|(_, side)| side).collect();
@@ -154,17 +161,44 @@ fn label_of_height(
         match found {
             Some((height, own)) => {
                 highest = highest.max(height);
-                labels.lines.extend(strokes(neighbour, height, own.centre, own.along));
-                labels.texts.push(neighbour.clone());
+                beside_edges.push((k, taken.len(), neighbour.clone(), height));
                 taken.push(own);
             }
             None => labels.dropped += 1,
         }
     }
+    // A bevel takes no room from a name.
+    for (k, at, words, height) in &mut beside_edges {
+        let Some(bevel) = bevels.get(*k).copied().flatten() else { continue };
+        let edge = [outline[*k], outline[(*k + 1) % outline.len()]];
+        let longer = format!("{words} {}", bevel_words(bevel));
+        let mut others = taken.clone();
+        others.swap_remove(*at);
+        let found = beside_edge(
+            outline,
+            (edge, &possible_sides),
+            (&longer, *height),
+            turn,
+            (&others, holes),
+        );
+        if let Some((lower, own)) = found.filter(|(lower, _)| *lower >= SMALL * *height) {
+            (taken[*at], *words, *height) = (own, longer, lower);
+        }
+    }
+    for (_, at, words, height) in beside_edges {
+        labels.lines.extend(strokes(&words, height, taken[at].centre, taken[at].along));
+        labels.texts.push(words);
+    }
     if highest > ALIKE * height {
         labels.lines.push(underline(own, text_width(name, height), height));
     }
     (labels, has_arrow)
+}
+
+/// A bevel with its sign, to a tenth of a degree.
+fn bevel_words(degrees: f64) -> String {
+    let sign = if degrees < 0.0 { '-' } else { '+' };
+    format!("{sign}{}", places(degrees.abs(), 1))
 }
 
 /// A line below the text of a box.
@@ -238,48 +272,6 @@ fn is_nearest(own: [Point2; 2], possible_sides: &[[Point2; 2]], point: Point2) -
     possible_sides.iter().all(|other| far(other) >= least)
 }
 
-/// Adds an arrow from the middle towards edge 0, as long as a letter is high; false if there is no
-/// room.
-fn arrow(
-    outline: &[Point2],
-    labels: &mut Labels,
-    taken: &mut Vec<TextBox>,
-    height: f64,
-    radius: f64,
-) -> bool {
-    let Some(own) = taken.first().copied() else { return false };
-    let n = outline.len();
-    let aim = [0, 1].map(|x| 0.5 * (outline[0][x] + outline[1 % n][x]));
-    let along = direction_of(own.centre, aim);
-    let half = [0.5 * height, 0.25 * height];
-    // Just outside the box of the name.
-    let mut away = 0.0;
-    let room = |away: f64| {
-        let centre = [0, 1].map(|x| own.centre[x] + away * along[x]);
-        TextBox { centre, along, half }
-    };
-    while !room(away).is_apart(&own) && away < 4.0 * radius {
-        away += 0.1 * height;
-    }
-    let found = room(away);
-    let tip = [0, 1].map(|x| found.centre[x] + half[0] * along[x]);
-    if !taken.iter().all(|other| found.is_apart(other))
-        || !found.is_in(outline)
-        || distance_to_outline(outline, tip) < 0.2 * height
-    {
-        return false;
-    }
-    let at = |x: f64, y: f64| {
-        let [c, s] = along;
-        [found.centre[0] + c * x - s * y, found.centre[1] + s * x + c * y]
-    };
-    let [x, y] = [half[0], 0.8 * half[1]];
-    labels.lines.push(vec![at(-x, 0.0), at(x, 0.0)]);
-    labels.lines.push(vec![at(0.1 * x, y), at(x, 0.0), at(0.1 * x, -y)]);
-    taken.push(found);
-    true
-}
-
 /// The direction or its opposite, such that letters are upright when the part is rotated; nearly
 /// vertical text on the sheet reads upwards.
 pub(in crate::fabricate) fn upright(along: Point2, turn: Point2) -> Point2 {
@@ -317,14 +309,15 @@ mod tests {
         let outline = [[0.0, 0.0], [60.0, 0.0], [60.0, 60.0], [0.0, 60.0]];
         let one = [Some("H".to_owned())];
         let [own, both] = [&[][..], &one[..]].map(|neighbours| {
-            let (name, with_arrow, turn) = ("H", false, AS_IT_IS);
+            let (name, arrow, turn) = ("H", None, AS_IT_IS);
             let holes = &[][..];
             label(Inscription {
                 outline: &outline,
                 name,
                 neighbours,
+                bevels: &[],
                 is_oriented: false,
-                with_arrow,
+                arrow,
                 turn,
                 holes,
             })
@@ -338,19 +331,12 @@ mod tests {
     fn the_own_name_is_underlined_where_those_of_neighbours_are_as_high() {
         let neighbour = Some("P7".to_owned());
         let neighbours = &[neighbour.clone(), None, neighbour, None][..];
-        let (name, with_arrow, turn, holes) = ("P5", false, AS_IT_IS, &[][..]);
+        let (name, arrow, turn, holes) = ("P5", None, AS_IT_IS, &[][..]);
         // Equally wide, with or without room for a larger name in the middle.
         for (high, is_underlined) in [(14.0, false), (11.5, true)] {
             let outline = &[[0.0, 0.0], [8.0, 0.0], [8.0, high], [0.0, high]][..];
-            let own = Inscription {
-                outline,
-                name,
-                neighbours,
-                is_oriented: false,
-                with_arrow,
-                turn,
-                holes,
-            };
+            let own =
+                Inscription { outline, name, neighbours, is_oriented: false, arrow, turn, holes };
             let found = label(own);
             assert_eq!((found.dropped, found.small, found.texts.len()), (0, false, 3));
             let below = |line: &&Vec<Point2>| {
@@ -365,7 +351,7 @@ mod tests {
     fn a_name_is_nearer_to_its_own_edge_than_to_another() {
         // At its short edges there is room for a name only beside a longer one.
         let outline = [[0.0, 0.0], [30.0, 0.0], [32.0, 4.0], [30.0, 20.0], [0.0, 20.0]];
-        let (with_arrow, turn, holes) = (false, AS_IT_IS, &[][..]);
+        let (arrow, turn, holes) = (None, AS_IT_IS, &[][..]);
         for k in 0..outline.len() {
             let mut neighbours = vec![None; outline.len()];
             let own = |neighbours: &[Option<String>]| {
@@ -374,8 +360,9 @@ mod tests {
                     outline,
                     name: "P1",
                     neighbours,
+                    bevels: &[],
                     is_oriented: false,
-                    with_arrow,
+                    arrow,
                     turn,
                     holes,
                 })
@@ -403,17 +390,10 @@ mod tests {
     fn names_at_the_ends_of_a_slender_part_lie_along_it() {
         let outline = [[0.0, 0.0], [60.0, 0.0], [60.0, 5.0], [0.0, 5.0]];
         let neighbours = [None, Some("N12".to_owned()), None, Some("N7".to_owned())];
-        let (name, with_arrow, turn) = ("B7-12", true, AS_IT_IS);
+        let (name, arrow, turn) = ("B7-12", Some([0.0, -1.0]), AS_IT_IS);
         let (outline, neighbours, holes) = (&outline[..], &neighbours[..], &[][..]);
-        let found = label(Inscription {
-            outline,
-            name,
-            neighbours,
-            is_oriented: true,
-            with_arrow,
-            turn,
-            holes,
-        });
+        let found =
+            label(Inscription { outline, name, neighbours, is_oriented: true, arrow, turn, holes });
         assert_eq!((found.dropped, found.small), (0, false));
         assert_eq!(found.texts, ["B7-12", "N12", "N7"]);
     }
@@ -429,8 +409,9 @@ mod tests {
                 outline,
                 name,
                 neighbours,
+                bevels: &[],
                 is_oriented: false,
-                with_arrow: false,
+                arrow: None,
                 turn,
                 holes,
             };
@@ -439,6 +420,57 @@ mod tests {
             extent(&found.lines)[1]
         };
         assert!((height(&holes) - height(&[])).abs() < 1e-9);
+    }
+
+    #[test]
+    fn an_arrow_has_its_direction_wherever_there_is_room_for_it() {
+        // Ahead of the name there is room in the square only; beside it in the bar too.
+        for high in [60.0, 9.0] {
+            let outline = [[0.0, 0.0], [60.0, 0.0], [60.0, high], [0.0, high]];
+            for degrees in (0..360).step_by(15) {
+                let way = crate::math::cosine_and_sine_of_degrees(f64::from(degrees));
+                let own = |arrow: Option<Point2>| {
+                    let (neighbours, holes, turn) = (&[][..], &[][..], AS_IT_IS);
+                    let (outline, name) = (&outline[..], "P1");
+                    let is_oriented = false;
+                    let own =
+                        Inscription { outline, name, neighbours, is_oriented, arrow, turn, holes };
+                    label(own).lines
+                };
+                let (without, with) = (own(None), own(Some(way)));
+                assert_eq!(with.len(), without.len() + 2, "{high} {degrees}");
+                let [from, to] = with[without.len()][..] else { panic!("a line") };
+                let found = direction_of(from, to);
+                assert!(distance(found, way) < 1e-9, "{high} {degrees}: {found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn a_bevel_is_written_behind_a_name_where_that_leaves_all_names_as_they_are() {
+        let neighbours = ["P12", "P3", "P4", "P5"].map(|name| Some(name.to_owned()));
+        let bevels = [Some(12.34), Some(-0.46), None, Some(45.0)];
+        for (size, expected) in [
+            (60.0, ["P1", "P12 +12.3", "P3 -0.5", "P4", "P5 +45"]),
+            (13.0, ["P1", "P12", "P3", "P4", "P5"]),
+        ] {
+            let outline = &[[0.0, 0.0], [size, 0.0], [size, size], [0.0, size]][..];
+            let found = |bevels: &[Option<f64>]| {
+                label(Inscription {
+                    outline,
+                    name: "P1",
+                    neighbours: &neighbours,
+                    bevels,
+                    is_oriented: false,
+                    arrow: None,
+                    turn: AS_IT_IS,
+                    holes: &[],
+                })
+            };
+            let (with, without) = (found(&bevels), found(&[]));
+            assert_eq!((with.dropped, with.small), (without.dropped, without.small));
+            assert_eq!(with.texts, expected);
+        }
     }
 
     #[test]

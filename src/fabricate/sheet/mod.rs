@@ -1,5 +1,6 @@
 //! Sheets: parts with their lines and names, laid out beside each other.
 
+mod arrow;
 mod bitmap;
 mod cells;
 mod clearance;

@@ -158,8 +158,11 @@ pub struct CutPart {
     pub outline: Vec<Point2>,
     /// The name of what lies beyond each side of the outline, if it is to be written there.
     pub neighbours: Vec<Option<String>>,
-    /// Whether its first side is the first one in the model, and not eaten by the joint.
-    pub has_first_side: bool,
+    /// For each of them, the bevel there in degrees, if it is to be written too.
+    pub bevels: Vec<Option<f64>>,
+    /// Where its arrow points, as a unit vector: upwards in the model, or on a fin to its side at the edge
+    /// of the model.
+    pub arrow: Option<Point2>,
     /// Whether its letters say how it lies: they run along the x axis of the part, however it is
     /// rotated on its sheet.
     pub is_oriented: bool,
@@ -174,9 +177,40 @@ pub struct CutPart {
 }
 
 impl CutPart {
+    /// Turns it over, about its y axis. Its sides are as many as its neighbours.
+    pub fn turn_over(&mut self) {
+        let mirror = |points: &mut Vec<Point2>| points.iter_mut().for_each(|at| at[0] = -at[0]);
+        mirror(&mut self.outline);
+        // Counterclockwise again; what is beyond stays with its side.
+        self.outline.reverse();
+        reverse_sides(&mut self.neighbours);
+        reverse_sides(&mut self.bevels);
+        for hole in &mut self.holes {
+            hole.centre[0] = -hole.centre[0];
+            if let Some(slot) = &mut hole.slot {
+                mirror(slot);
+                slot.reverse();
+            }
+        }
+        for lines in [&mut self.engraved, &mut self.ridges, &mut self.valleys] {
+            lines.iter_mut().for_each(mirror);
+        }
+        if let Some(arrow) = &mut self.arrow {
+            arrow[0] = -arrow[0];
+        }
+    }
+
     /// Its area without its holes, in square mm.
     pub fn area(&self) -> f64 {
         self.holes.iter().fold(area(&self.outline), |left, hole| left - area(&hole.outline()))
+    }
+}
+
+/// Reverses a list of one value for each side of a polygon, whose corners are reversed.
+fn reverse_sides<T>(values: &mut [T]) {
+    values.reverse();
+    if !values.is_empty() {
+        values.rotate_left(1);
     }
 }
 

@@ -20,6 +20,19 @@ pub(super) fn all(build: &Build, frame: &Frame) -> Vec<(&'static str, String)> {
     tables
 }
 
+/// The number of each fin in the order of assembly, from 1: with the first of the panels beside it.
+fn order(build: &Build) -> Vec<usize> {
+    let first = |k: &usize| {
+        let beside = build.parts[*k].panels.iter().map(|&f| build.order[f as usize]);
+        (beside.min().unwrap_or(u32::MAX), *k)
+    };
+    let mut sorted: Vec<usize> = (0..build.fins.len()).collect();
+    sorted.sort_by_key(first);
+    let mut order = vec![0; sorted.len()];
+    sorted.into_iter().zip(1..).for_each(|(k, number)| order[k] = number);
+    order
+}
+
 fn fins(build: &Build, frame: &Frame) -> String {
     let columns = [
         "name",
@@ -32,9 +45,10 @@ fn fins(build: &Build, frame: &Frame) -> String {
         "area_sheet_mm2",
         "flattening_error_mm",
     ];
-    let mut table = Table::new(&[&columns[..], &PLACE].concat());
+    let mut table = Table::new(&[&columns[..], &PLACE, &["order"]].concat());
     let (places, model) = (build.layout.places(build.parts.len()), build.mm_of_sheet());
-    for ((&edge, part), place) in build.fins.iter().zip(&build.parts).zip(places) {
+    let fins = build.fins.iter().zip(&build.parts).zip(places);
+    for (((&edge, part), place), number) in fins.zip(order(build)) {
         let Ok(fin) = &frame.fins[edge as usize] else { continue };
         let [a, b] = build.surface.edges[edge as usize].ends.map(node_name);
         let row = [
@@ -49,7 +63,8 @@ fn fins(build: &Build, frame: &Frame) -> String {
             Cell::from(fin.flattening_error * build.mm_of_building()),
         ];
         let on_sheet = place.map(|(sheet, place)| (sheet, place.offset, place.turn_deg()));
-        table.row(row.into_iter().chain(place_cells(Some(part), on_sheet)));
+        let cells = row.into_iter().chain(place_cells(Some(part), on_sheet));
+        table.row(cells.chain([Cell::from(number)]));
     }
     table.into_text()
 }
@@ -168,8 +183,15 @@ fn discs(build: &Build, frame: &Frame) -> String {
         "lean_deg",
         "area_sheet_mm2",
     ];
-    let mut table = Table::new(&[&columns[..], &PLACE].concat());
+    let mut table = Table::new(&[&columns[..], &PLACE, &["order"]].concat());
     let (places, model) = (build.layout.places(build.parts.len()), build.mm_of_sheet());
+    // The first fin at each node.
+    let mut first_fin = vec![usize::MAX; build.surface.positions.len()];
+    for (&edge, number) in build.fins.iter().zip(order(build)) {
+        for v in build.surface.edges[edge as usize].ends.map(|v| v as usize) {
+            first_fin[v] = first_fin[v].min(number);
+        }
+    }
     for own in &build.discs {
         let Some(Ok(disc)) = &frame.discs[own.vertex as usize] else { continue };
         let (part, place) = (&build.parts[own.part], places[own.part]);
@@ -187,7 +209,8 @@ fn discs(build: &Build, frame: &Frame) -> String {
             Cell::from(part.area()),
         ];
         let on_sheet = place.map(|(sheet, place)| (sheet, place.offset, place.turn_deg()));
-        table.row(row.into_iter().chain(place_cells(Some(part), on_sheet)));
+        let cells = row.into_iter().chain(place_cells(Some(part), on_sheet));
+        table.row(cells.chain([Cell::from(first_fin[own.vertex as usize])]));
     }
     table.into_text()
 }

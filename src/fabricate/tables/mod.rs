@@ -76,6 +76,12 @@ fn summary(build: &Build, names: &[&str]) -> String {
     row("sheets", Cell::from(report.sheets), "");
     row("area of parts", Cell::from(report.cut_area_mm2), "sheet mm2");
     row("length of cuts", Cell::from(report.cut_length_mm), "sheet mm");
+    row("smallest part", Cell::from(&*report.smallest_part), "");
+    row(
+        "smallest part, width",
+        Cell::from(report.smallest_part_mm.map(|size| size[1])),
+        "sheet mm",
+    );
     if report.product == Product::Panels {
         row("joint on the sheet", Cell::from(report.joint_mm), "sheet mm");
         // A joint below it lets panels of this thickness meet.
@@ -85,6 +91,7 @@ fn summary(build: &Build, names: &[&str]) -> String {
             row(&format!("least joint, panels {side}"), Cell::from(known), "sheet mm");
         }
     }
+    row("legend of the sheets", Cell::from(&*build.legend()), "");
     row("types of panels", Cell::from(report.types), "");
     for check in &report.card.check {
         row(check.label, Cell::from(check.value), check.unit);

@@ -41,7 +41,7 @@ pub(super) fn panels(build: &Build) -> String {
             // The rotation from the plane of the panel, whose x axis is its first edge.
             let on_sheet = cut.zip(number.and_then(|number| places[number]));
             let on_sheet = on_sheet.map(|(cut, (sheet, place))| {
-                let [c, s] = rotated(cut.turn, place.turn);
+                let [c, s] = rotated(build.on_part(cut.turn), place.turn);
                 (sheet, place.offset, libm::atan2(s, c).to_degrees())
             });
             let size = cut.zip(part).map(|(cut, part)| match cut.pieces {

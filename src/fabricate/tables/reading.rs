@@ -1,21 +1,29 @@
 //! What the numbers of the tables and the letters on the sheets mean, for whoever has only the files.
 
 /// What is explained, and in which words.
-const READING: [(&str, &str); 28] = [
+const READING: [(&str, &str); 32] = [
     ("edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     ("edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
+    (
+        "edges.csv bevel_deg",
+        "of the sides of both panels from square: half of the fold; more than 0 cuts the inside back, less the outside",
+    ),
     (
         "outlines",
         "each side moved inwards by half the joint, outwards by half the kerf; reliefs for the tool added",
     ),
-    ("panels.csv nodes", "counterclockwise seen from outside, from the edge at the arrow"),
+    (
+        "arrows",
+        "upwards in the model, in the plane of the part; if it is within 5 degrees of level, to the top of key 1",
+    ),
+    ("panels.csv nodes", "counterclockwise seen from outside"),
     ("panels.csv order", "of assembly, from the supports upwards"),
     ("panels.csv corners", "of the whole panel, also for a piece; nodes too"),
     (
         "panels.csv x_sheet_mm",
         "of the mean of the corners of the whole panel, also for a piece; with y_sheet_mm",
     ),
-    ("panels.csv turn_deg", "direction of the edge at the arrow, on the sheet"),
+    ("panels.csv turn_deg", "direction from its first node to its second, on the sheet"),
     ("fins.csv x_sheet_mm", "of node_a; with y_sheet_mm"),
     (
         "splices.csv pieces",
@@ -23,6 +31,10 @@ const READING: [(&str, &str); 28] = [
     ),
     ("splices.csv x_sheet_mm", "of the lower left corner of its box; with y_sheet_mm"),
     ("splices.csv turn_deg", "direction of the seam, on the sheet, with piece_a on its left"),
+    (
+        "fins.csv order",
+        "of assembly, from the supports upwards, with the first of the panels beside it",
+    ),
     ("fins.csv turn_deg", "direction from node_a to node_b, on the sheet"),
     ("names of fins", "from their first node to their second, tops of letters outwards"),
     ("fins.csv end_a_deg", "in the fin, between its side at the edge and its end at node_a"),
@@ -35,6 +47,7 @@ const READING: [(&str, &str); 28] = [
     ),
     ("names at slots of discs", "the node that the fin leads to"),
     ("discs.csv x_sheet_mm", "of the axis of its node; with y_sheet_mm"),
+    ("discs.csv order", "of the first fin that is pushed into it: it is there before"),
     ("discs.csv turn_deg", "direction of the first beam in node-beams.csv, on the sheet"),
     ("pieces.csv order", "of assembly, from the supports upwards: of the first of its panels"),
     ("pieces.csv x_sheet_mm", "of the lower left corner of its box; with y_sheet_mm"),
@@ -53,7 +66,7 @@ const READING: [(&str, &str); 28] = [
 /// The table beside whose parts something is explained.
 fn table_of(what: &str) -> &str {
     match what {
-        "outlines" => "panels.csv",
+        "outlines" | "arrows" => "panels.csv",
         "names of fins" => "fins.csv",
         "names at slots of discs" => "discs.csv",
         "tabs" => "pieces.csv",

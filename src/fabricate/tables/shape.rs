@@ -17,6 +17,7 @@ pub(super) fn edges(build: &Build) -> String {
         "beam_height_mm",
         "warp_mm",
         "twist_deg",
+        "bevel_deg",
     ]);
     let building = build.mm_of_building();
     // The panels that traverse each edge from its first to its second end.
@@ -50,6 +51,7 @@ pub(super) fn edges(build: &Build) -> String {
             Cell::from(beam.map(|beam| beam.height[1] * building)),
             Cell::from(beam.map(|beam| beam.warp * building)),
             Cell::from(beam.map(|beam| beam.twist_deg)),
+            Cell::from(build.surface.bevel(edge).map(f64::to_degrees)),
         ]);
     }
     table.into_text()

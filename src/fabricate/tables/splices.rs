@@ -25,8 +25,9 @@ pub(super) fn splices(build: &Build) -> String {
         let [low, high] = own.corners;
         let size = [own.axis, 1 - own.axis].map(|axis| high[axis] - low[axis]);
         let on_sheet = place.map(|(sheet, place)| {
-            let [from, to] = own.seam.map(|end| place.to_sheet(end));
-            let [c, s] = minus(to, from);
+            let [from, to] = own.seam.map(|end| place.to_sheet(build.on_part(end)));
+            // Turned over, the first piece would be on its right.
+            let [c, s] = if build.is_turned_over() { minus(from, to) } else { minus(to, from) };
             (sheet, place.corner(&part.outline), libm::atan2(s, c).to_degrees())
         });
         let row = [

@@ -5,7 +5,7 @@
 use super::choice::Product::{self, Fins, Panels, Paper};
 use super::declared::{ABOVE_0, BuildForm, BuildGroup, BuildOption, BuildSetting, BuildUnit};
 use super::settings::BuildSettings;
-use BuildGroup::{Cutting, Files, Limits, Offset, Parts, Types};
+use BuildGroup::{Cutting, Files, Limits, Model, Offset, Parts, Types};
 use BuildUnit::{Degrees, Mesh, Mm, Plain};
 
 /// Largest length on the sheet or of the material in mm: larger ones are typing errors, at which
@@ -92,7 +92,7 @@ const PAGES: BuildForm =
 
 /// All settings of Build, in the order in which hosts list them.
 pub const BUILD_SETTINGS: &[BuildSetting] = &[
-    setting(Parts, "product", "Make", PRODUCTS, "What is made of the shape."),
+    setting(Model, "product", "Make", PRODUCTS, "What is made of the shape."),
     setting(Parts, "pieces", "Pieces", PIECES, "Nets, or strips of quads in one direction.")
         .of(&[Paper]),
     setting(
@@ -112,13 +112,20 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         BuildForm::Switch,
         "Prints the side that will be inside: mirrored, with readable names.",
     )
-    .of(&[Paper]),
+    .of(&[Panels, Paper]),
     setting(
-        Parts,
+        Model,
         "scale",
         "Scale 1 :",
         number(Plain, [LEAST_SCALE, LARGEST]),
         "The building is this many times as large as the model.",
+    ),
+    setting(
+        Parts,
+        "material",
+        "Sheet label",
+        BuildForm::Text,
+        "The name of the material, in the title of the sheets.",
     ),
     setting(Parts, "thickness", "Thickness", number(Mm, ON_SHEET), "Thickness of the material."),
     setting(
@@ -253,13 +260,6 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     .of(FLAT),
     setting(
         Files,
-        "material",
-        "Sheet label",
-        BuildForm::Text,
-        "The name of the material, in the title of the sheets.",
-    ),
-    setting(
-        Files,
         "names",
         "Names",
         NAMES,
@@ -284,21 +284,21 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(
         Limits,
         "limits.warp",
-        "Beam warp",
+        "Warped beams",
         number(Mm, FROM_0),
         "Corners of a beam from its plane, at full size.",
     ),
     setting(
         Limits,
         "limits.distance",
-        "Offset error",
+        "Uneven offset",
         number(Mm, FROM_0),
         "Offset from its distance, at full size.",
     ),
     setting(
         Limits,
         "limits.lean",
-        "Axis lean",
+        "Leaning nodes",
         number(Degrees, FROM_0),
         "Axis of a node from the normal of the surface.",
     ),
@@ -308,6 +308,13 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "Flatness",
         number(Mm, FROM_0),
         "Corners of a panel from its plane, at full size.",
+    ),
+    setting(
+        Limits,
+        "limits.part",
+        "Least width",
+        number(Mm, ON_SHEET),
+        "Narrower parts on the sheet are named: letters have no room on them.",
     ),
 ];
 

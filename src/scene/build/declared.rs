@@ -31,7 +31,10 @@ pub struct BuildSetting {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
 pub enum BuildGroup {
-    /// What everybody sets.
+    /// What is made, and how large: never folded.
+    #[serde(rename = "Model")]
+    Model,
+    /// What the parts are like.
     #[serde(rename = "Parts")]
     Parts,
     /// The offset, which has controls of its own on the page.

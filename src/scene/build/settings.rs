@@ -77,7 +77,7 @@ pub struct BuildSettings {
     pub fold: Fold,
     /// Height of tabs on creased paper; 0 for none.
     pub tab: f64,
-    /// Whether paper is printed on the side that will be inside: mirrored, with readable names.
+    /// Whether panels or paper are printed on the side that will be inside: mirrored, with readable names.
     pub print_inside: bool,
     /// Page size of the PDF: larger sheets are tiled.
     #[serde(deserialize_with = "word")]
@@ -90,7 +90,7 @@ pub struct BuildSettings {
     pub limits: CheckLimits,
 }
 
-/// Limits of the build check. Lengths are in mm of the building.
+/// Limits of the build check and of parts. Lengths are in mm of the building, except for `part`.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[serde(default, deny_unknown_fields)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
@@ -103,11 +103,13 @@ pub struct CheckLimits {
     pub lean: f64,
     /// Distance of the corners of a panel from its plane.
     pub flatness: f64,
+    /// The least width of parts, in mm of the sheet.
+    pub part: f64,
 }
 
 impl Default for CheckLimits {
     fn default() -> CheckLimits {
-        CheckLimits { warp: 1.0, distance: 1.0, lean: 20.0, flatness: 1.0 }
+        CheckLimits { warp: 1.0, distance: 1.0, lean: 20.0, flatness: 1.0, part: 3.5 }
     }
 }
 

@@ -2,6 +2,7 @@
 
 use super::letters::{Text, read};
 use shape_up::fabricate::Build;
+use shape_up::math::Vec3;
 use shape_up::math::plane::{Point2, is_inside};
 use std::collections::BTreeMap;
 
@@ -36,6 +37,8 @@ pub(super) struct Part {
     pub(super) texts: Vec<Text>,
     pub(super) folds: Vec<[Point2; 2]>,
     pub(super) valleys: Vec<[Point2; 2]>,
+    /// Its arrow, from its end to its tip.
+    pub(super) arrow: Option<[Point2; 2]>,
 }
 
 /// Lines, and the name of their part.
@@ -95,6 +98,13 @@ impl Files {
         Table(lines.map(row).collect())
     }
 
+    /// Where nodes are, in mm of the building.
+    pub(super) fn nodes(&self) -> BTreeMap<String, Vec3<f64>> {
+        let at = |row: Row<'_>| Vec3::from(["x_mm", "y_mm", "z_mm"].map(|k| row.number(k)));
+        let table = self.table("nodes.csv");
+        table.rows().map(|row| (row.text("name").to_owned(), at(row))).collect()
+    }
+
     /// A number of the summary.
     pub(super) fn number(&self, what: &str) -> f64 {
         self.text(what).parse().unwrap_or_else(|_| panic!("{what} is no number"))
@@ -121,6 +131,7 @@ impl Files {
             let [folds, valleys] = [sheet.lines("FOLD"), undashed(sheet.lines("VALLEY"))]
                 .map(|own| own.into_iter().map(|line| [line[0], line[1]]).collect());
             let (folds, valleys): (Vec<[Point2; 2]>, Vec<[Point2; 2]>) = (folds, valleys);
+            let arrows = arrows(&sheet.lines("ENGRAVE"));
             let mut is_on_part = vec![false; texts.len()];
             for (name, outlines) in sheet.layer("CUT") {
                 let [outline] = &outlines[..] else { panic!("{name} is one outline") };
@@ -135,6 +146,7 @@ impl Files {
                     texts: on_part.iter().map(|&k| texts[k].clone()).collect(),
                     folds: inside(&folds),
                     valleys: inside(&valleys),
+                    arrow: arrows.iter().find(|[_, tip]| is_inside(outline, *tip)).copied(),
                     outline: outline.clone(),
                     name: name.clone(),
                 });
@@ -145,6 +157,15 @@ impl Files {
         }
         (parts, beside)
     }
+}
+
+/// The arrows among some lines: a stem, and a head whose middle is the tip.
+fn arrows(lines: &[Vec<Point2>]) -> Vec<[Point2; 2]> {
+    let arrow = |pair: &[Vec<Point2>]| match (&pair[0][..], &pair[1][..]) {
+        (&[from, to], &[_, tip, _]) if to == tip => Some([from, to]),
+        _ => None,
+    };
+    lines.windows(2).filter_map(arrow).collect()
 }
 
 /// The fields of a line of CSV.

@@ -75,6 +75,44 @@ fn panels_with_a_joint_and_a_kerf_make_the_dome_again() {
 }
 
 #[test]
+fn panels_with_their_inside_up_make_the_dome_again_whole_or_in_pieces() {
+    for (scale, splice) in [(10.0, 0.0), (0.8, 24.0)] {
+        let (joint, kerf, print_inside) = (0.01, 0.2, true);
+        let own = BuildSettings { scale, splice, joint, kerf, print_inside, ..of(Product::Panels) };
+        let files = files(&build(&dome(), &own));
+        let found = panels::assemble(&files);
+        key::assert_shows(&files, &found);
+        found.assert_is(&dome());
+        // As its names are read, a sheet is the mirror image of what is seen from outside.
+        let outside = BuildSettings { print_inside: false, ..own };
+        let turns = |files: &Files| {
+            let rows = files.table("panels.csv");
+            rows.rows().map(|row| row.text("turn_deg").to_owned()).collect::<Vec<_>>()
+        };
+        assert_ne!(turns(&files), turns(&Files::of(&build(&dome(), &outside))));
+    }
+}
+
+#[test]
+fn panels_that_are_thick_have_their_bevels_at_their_edges() {
+    let own = BuildSettings { joint: 0.01, thickness: 4.0, scale: 10.0, ..of(Product::Panels) };
+    let made = build(&dome(), &own);
+    let files = files(&made);
+    panels::assemble(&files).assert_is(&dome());
+    let (parts, beside) = files.parts();
+    let written: usize = parts.iter().map(|part| outline::bevels(&part.texts).count()).sum();
+    let inner = made.surface.edges.iter().filter(|edge| !edge.is_rim()).count();
+    assert!(written > inner, "{written} of {}", 2 * inner);
+    assert!(beside.iter().any(|text| text.text.contains("BEVEL IN DEGREES")));
+    for row in files.table("edges.csv").rows().filter(|row| !row.text("fold_deg").is_empty()) {
+        assert!((2.0 * row.number("bevel_deg") - row.number("fold_deg")).abs() < 1e-5);
+    }
+    // Thin ones have none.
+    let thin = build(&dome(), &BuildSettings { thickness: 0.5, ..own });
+    assert!(thin.parts.iter().flat_map(|part| &part.bevels).all(Option::is_none));
+}
+
+#[test]
 fn panels_larger_than_the_sheet_make_the_dome_again_from_pieces_joined_by_plates() {
     for (names, scale, hole) in [(Names::Index, 0.5, 0.0), (Names::Assembly, 0.8, 5.0)] {
         let own = BuildSettings {

@@ -9,7 +9,8 @@ pub(super) fn lengths(outline: &[Point2]) -> Vec<f64> {
     (0..n).map(|k| distance(outline[k], outline[(k + 1) % n])).collect()
 }
 
-/// What is written at each side of an outline, besides its own name: each text is nearest to its side.
+/// What is written at each side of an outline, besides its own name and bevels: each text is nearest to
+/// its side.
 pub(super) fn written(own: &str, outline: &[Point2], texts: &[Text]) -> Vec<Option<String>> {
     let n = outline.len();
     let mut found = vec![None; n];
@@ -17,9 +18,15 @@ pub(super) fn written(own: &str, outline: &[Point2], texts: &[Text]) -> Vec<Opti
         let away = |k: &usize| to_segment(text.centre, [outline[*k], outline[(*k + 1) % n]]);
         let nearest = (0..n).min_by(|a, b| away(a).total_cmp(&away(b))).unwrap();
         assert!(found[nearest].is_none(), "two names at a side of {own}: {texts:?}");
-        found[nearest] = Some(text.text.clone());
+        found[nearest] = text.text.split(' ').next().map(str::to_owned);
     }
     found
+}
+
+/// The names of neighbours with a bevel behind them, and the bevels in degrees.
+pub(super) fn bevels(texts: &[Text]) -> impl Iterator<Item = (&str, f64)> {
+    let both = texts.iter().filter_map(|text| text.text.split_once(' '));
+    both.map(|(name, bevel)| (name, bevel.parse().unwrap()))
 }
 
 /// The distance of a point from a segment.

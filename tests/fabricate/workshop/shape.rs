@@ -1,6 +1,6 @@
 //! What `edges.csv` says about panels, and putting panels together in space.
 
-use super::files::{Files, Row};
+use super::files::Files;
 use shape_up::math::plane::{Point2, distance};
 use shape_up::math::{Alignment, Vec3, centre};
 use shape_up::mesh::Mesh;
@@ -91,10 +91,7 @@ impl Found {
 
     /// The nodes, rigidly moved to where `nodes.csv` has them.
     pub(super) fn in_place(&self, files: &Files) -> BTreeMap<String, Point> {
-        let table = files.table("nodes.csv");
-        let at = |row: Row<'_>| Vec3::from(["x_mm", "y_mm", "z_mm"].map(|k| row.number(k)));
-        let known: BTreeMap<String, Point> =
-            table.rows().map(|row| (row.text("name").to_owned(), at(row))).collect();
+        let known = files.nodes();
         let mut there: Vec<Point> = self.nodes.keys().map(|name| known[name]).collect();
         let mut own: Vec<Point> = self.nodes.values().copied().collect();
         let middle = centre(&mut there);

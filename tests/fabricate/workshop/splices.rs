@@ -137,6 +137,8 @@ fn panel(name: String, mut pieces: BTreeMap<String, Part>, kerf: f64) -> Part {
         texts,
         folds: Vec::new(),
         valleys: Vec::new(),
+        // It does not move.
+        arrow: pieces[&first].arrow,
         name,
     }
 }

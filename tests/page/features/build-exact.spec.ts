@@ -7,6 +7,7 @@ import DxfParser, { type IDxf, type ILwpolylineEntity } from 'dxf-parser';
 import { unzipSync } from 'fflate';
 import { downloaded, openText, showStep } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
+import { settingOf } from '../sheets.ts';
 import { expect, openPage, sceneOf, test, waitForState, type PageState } from '../support.ts';
 
 test.use({ sameDocument: true });
@@ -109,8 +110,9 @@ test('panels made circular and then exact are the outlines in the saved drawings
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   await waitForState(page, (now) => now.build !== null);
   const parts = page.getByRole('region', { name: 'Build: parts and sheets' });
-  await parts.getByLabel('Sheet width, mm').fill('60');
-  await parts.getByLabel('Sheet width, mm').press('Tab');
+  const width = await settingOf(page, 'Sheet width, mm');
+  await width.fill('60');
+  await width.press('Tab');
   const { build } = await waitForState(page, (now) => now.build?.sheet_mm[0] === 60);
   expect(build?.scale).toBe(SCALE);
   expect(build?.sheets, 'the story has several drawings').toBeGreaterThan(1);

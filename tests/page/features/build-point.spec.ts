@@ -3,7 +3,7 @@
 import type { Page } from '@playwright/test';
 import { openText } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { openParts, outlinesOf, overPart, partsPanel } from '../sheets.ts';
+import { openParts, outlinesOf, overPart, partsPanel, settingOf } from '../sheets.ts';
 import { expect, openPage, screenOf, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
@@ -51,8 +51,9 @@ test('the sheet of a piece out of sight is named, and a click brings it into vie
   page,
 }) => {
   await openBuild(page);
-  await partsPanel(page).getByLabel('Sheet width, mm').fill('45');
-  await partsPanel(page).getByLabel('Sheet width, mm').press('Tab');
+  const width = await settingOf(page, 'Sheet width, mm');
+  await width.fill('45');
+  await width.press('Tab');
   await waitForState(page, (now) => now.build?.sheet_mm[0] === 45);
   await partsPanel(page).getByLabel('Sheet height, mm').fill('45');
   await partsPanel(page).getByLabel('Sheet height, mm').press('Tab');
@@ -78,7 +79,7 @@ test('the sheet of a piece out of sight is named, and a click brings it into vie
 test('a panel of a paper model marks the piece from which it is folded', async ({ page }) => {
   await openBuild(page);
   await partsPanel(page).getByLabel('Make').selectOption('paper');
-  await partsPanel(page).getByLabel('Pieces').selectOption('strips');
+  await (await settingOf(page, 'Pieces')).selectOption('strips');
   await waitForState(
     page,
     (now, strips) => now.build?.product === 'paper' && now.build.parts === strips,

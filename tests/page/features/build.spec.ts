@@ -10,7 +10,15 @@ import { program } from '../../../.scripts/project.mjs';
 import type { BuildReport } from '../../../www/pkg/engine/shape_up.js';
 import { downloaded, openText, saved } from '../actions.ts';
 import { quadScene, wavyGrid } from '../meshes.ts';
-import { filesOf, openParts, outlinesOf, overPart, partsPanel, reportOf } from '../sheets.ts';
+import {
+  filesOf,
+  openParts,
+  outlinesOf,
+  overPart,
+  partsPanel,
+  reportOf,
+  settingOf,
+} from '../sheets.ts';
 import { expect, openPage, sceneOf, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
@@ -26,8 +34,9 @@ const FACES = 16;
 
 /** Enters a number into a field and leaves the field. */
 async function setField(page: Page, label: string, value: number) {
-  await partsPanel(page).getByLabel(label).fill(String(value));
-  await partsPanel(page).getByLabel(label).press('Tab');
+  const field = await settingOf(page, label);
+  await field.fill(String(value));
+  await field.press('Tab');
 }
 
 const areaOf = (points: { x: number; y: number }[]) =>
@@ -227,7 +236,10 @@ test('every declared setting has a field with its unit, in its group', async ({ 
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
   await openParts(page);
-  for (const group of ['Cutting', 'Limits of the check'])
+  // Three questions, with the scale; the rest is folded.
+  const shown = partsPanel(page).locator('.parts-settings label:visible');
+  await expect(shown).toHaveText(['Make', 'Scale 1 :', 'Material', 'Machine', 'Sheet size']);
+  for (const group of [/^Parts$/, 'Cutting', 'Limits of the check'])
     await partsPanel(page).locator('summary', { hasText: group }).click();
   await setField(page, 'Kerf, mm', 0.2);
   await setField(page, 'Flatness, mm', 60);
@@ -246,6 +258,30 @@ test('every declared setting has a field with its unit, in its group', async ({ 
   await expect(partsPanel(page).getByLabel('Tabs, mm')).toBeVisible();
 });
 
+test('a material, a machine and a sheet of one’s own can be chosen', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  await openParts(page);
+  for (const [name, first] of [
+    ['Material', 'Sheet label'],
+    ['Machine', 'Kerf, mm'],
+    ['Sheet size', 'Sheet width, mm'],
+  ]) {
+    const choice = partsPanel(page).getByLabel(name, { exact: true });
+    await choice.selectOption('Your own');
+    await expect(choice).toHaveValue('own');
+    await expect(partsPanel(page).getByLabel(first)).toBeFocused();
+  }
+  await setField(page, 'Kerf, mm', 0.4);
+  await waitForState(page, (now) => now.build !== null);
+  expect((await sceneOf(page)).build).toMatchObject({ kerf: 0.4 });
+  // A preset is chosen again by its name.
+  const machine = partsPanel(page).getByLabel('Machine', { exact: true });
+  await machine.selectOption('Laser');
+  await expect.poll(async () => (await sceneOf(page)).build).toMatchObject({ kerf: 0.15 });
+  await expect(machine.locator('option:checked')).toHaveText('Laser');
+});
+
 test('node discs join the fins, at a scale at which they have room', async ({ page }) => {
   await openPage(page);
   await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
@@ -253,7 +289,7 @@ test('node discs join the fins, at a scale at which they have room', async ({ pa
   await partsPanel(page).getByLabel('Make').selectOption('fins');
   await waitForState(page, (now) => now.build?.product === 'fins');
   await setField(page, 'Scale 1 :', 4);
-  const discs = partsPanel(page).getByLabel('Node discs, mm');
+  const discs = await settingOf(page, 'Node discs, mm');
   // The word that stands in the empty field.
   await discs.fill('auto');
   await discs.press('Tab');

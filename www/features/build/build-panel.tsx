@@ -91,6 +91,7 @@ function Panel({ makePanels }: { makePanels: MakePanels }) {
                 ))}
               </div>
             ))}
+            {built?.words.joint && <p class="quiet">{built.words.joint}</p>}
             <Thickness parts={parts} declared={offers.settings} />
             <CheckCard parts={parts} makePanels={makePanels} />
             <TypesCurve parts={parts} />

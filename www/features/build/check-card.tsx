@@ -79,7 +79,11 @@ function Row({ row: { id, label, met, worst }, words }: { row: CheckRow; words: 
           <span class="quiet bound">{words.limit}</span>
         </>
       )}
-      {met === false && <span class="quiet missed">{words.state}</span>}
+      {met === false && (
+        <span class="quiet missed">
+          {words.state}. {words.remedy}
+        </span>
+      )}
     </>
   );
   function show() {
@@ -90,9 +94,13 @@ function Row({ row: { id, label, met, worst }, words }: { row: CheckRow; words: 
   return (
     <li data-state={state}>
       {worst === 'none' ? (
-        <div>{inside}</div>
+        <div title={words.meaning}>{inside}</div>
       ) : (
-        <button type="button" title="Show where it is worst" onClick={show}>
+        <button
+          type="button"
+          title={`${words.meaning} A click shows where it is worst.`}
+          onClick={show}
+        >
           {inside}
         </button>
       )}

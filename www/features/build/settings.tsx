@@ -1,6 +1,9 @@
-/** The form of the declared settings, in their groups, and the presets of material, machine and sheet. */
+/**
+ * The form of the declared settings: what is made, the presets of material, machine and sheet, and what
+ * else can be set, folded in groups.
+ */
 
-import { useEffect, useRef } from 'preact/hooks';
+import { useEffect, useRef, useState } from 'preact/hooks';
 import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { TextField } from '../../ui/components/text-field.tsx';
 import type { BuildPreset, BuildSetting } from '../../pkg/engine/shape_up.js';
@@ -12,6 +15,9 @@ type Value = number | string | boolean | null;
 
 /** The keys of a path such as `sheet[0]` or `limits.warp`. */
 const keysOf = (path: string) => path.split(/[.[\]]/).filter(Boolean);
+
+/** The id of the field of a setting. */
+const idOf = (path: string) => `parts-${keysOf(path).join('-')}`;
 
 /** What is inside of an object or a list. */
 const inside = (outer: unknown, key: string) => (outer as Record<string, unknown>)[key];
@@ -44,10 +50,17 @@ export function Settings({
           onValue={(value) => parts.change({ [setting.id]: value })}
         />
       ));
-  const [make, ...rows] = rowsOf(groups[0]);
+  const [first, ...folded] = groups;
+  /** Unfolds and focuses the first field of some settings. */
+  function show(keys: string[]) {
+    const setting = fields.find(({ id }) => keys.includes(keysOf(id)[0]));
+    const field = setting && form.current?.querySelector<HTMLElement>(`#${idOf(setting.id)}`);
+    field?.closest('details')?.setAttribute('open', '');
+    field?.focus();
+  }
   return (
     <div class="parts-settings" ref={form}>
-      {make}
+      {rowsOf(first)}
       {[...new Set(presets.map((preset) => preset.of))].map((of) => (
         <Preset
           key={of}
@@ -55,10 +68,10 @@ export function Settings({
           presets={presets.filter((preset) => preset.of === of)}
           settings={settings}
           onChoose={(values) => parts.change(values)}
+          onOwn={show}
         />
       ))}
-      {rows}
-      {groups.slice(1).map((group) => (
+      {folded.map((group) => (
         <details key={group}>
           <summary>{group}</summary>
           {rowsOf(group)}
@@ -68,18 +81,25 @@ export function Settings({
   );
 }
 
+/** The choice of values of one's own instead of a preset. */
+const OWN = 'own';
+
 /** The choice among presets, of which the settings may be one. */
 function Preset({
   of,
   presets,
   settings,
   onChoose,
+  onOwn,
 }: {
   of: string;
   presets: BuildPreset[];
   settings: BuildSettings;
   onChoose: (values: Partial<BuildSettings>) => void;
+  /** is called with the keys of the settings that presets set */
+  onOwn: (keys: string[]) => void;
 }) {
+  const [isOwn, setOwn] = useState(false);
   const id = `parts-preset-${of.toLowerCase().replace(' ', '-')}`;
   const chosen = presets.findIndex(({ values }) =>
     Object.entries(values).every(
@@ -87,14 +107,19 @@ function Preset({
     ),
   );
   const options = presets.map(({ label }, k) => [String(k), label] as const);
+  function choose(value: string) {
+    setOwn(value === OWN);
+    if (value === OWN) onOwn(Object.keys(presets[0].values));
+    else onChoose(presets[Number(value)].values);
+  }
   return (
     <div class="field-row">
       <label for={id}>{of}</label>
       <Choice
         id={id}
-        value={chosen < 0 ? '' : String(chosen)}
-        options={chosen < 0 ? [['', 'Custom'], ...options] : options}
-        onChoose={(value) => onChoose(presets[Number(value)].values)}
+        value={isOwn || chosen < 0 ? OWN : String(chosen)}
+        options={[...options, [OWN, 'Your own']]}
+        onChoose={choose}
       />
     </div>
   );
@@ -113,7 +138,7 @@ function Field({
   unit: string;
   onValue: (value: Value) => unknown;
 }) {
-  const id = `parts-${keysOf(path).join('-')}`;
+  const id = idOf(path);
   if (form.type === 'switch')
     return <Checkbox title={title} label={label} checked={value === true} onCheck={onValue} />;
   const symbol =
