@@ -111,7 +111,7 @@ const layers = {
 };
 
 /** The pages of the site. */
-const pages = ['index', 'gallery', 'licences', 'checked', 'speed', 'rhino', 'embed'];
+const pages = ['index', 'gallery', 'licences', 'checked', 'speed', 'rhino', 'teaching', 'embed'];
 
 const documents = pages.map((page) => at('www', `${page}.html`));
 /**

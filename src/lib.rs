@@ -57,7 +57,7 @@
 //! | `docked` | what a panel beside the view is |
 //! | `features` | what is done with a model, each by itself: make panels, build, export, lessons |
 //! | `app` | wires them; header, steps, menus and keys |
-//! | `pages` | the other pages: gallery, Rhino, what is checked, licences |
+//! | `pages` | the other pages: gallery, Rhino, teaching, speed, what is checked, licences |
 //!
 //! The page is five steps: open or make, shape, move, check, build and share. `www/index.html` has them
 //! before any script runs, `www/app/steps.ts` opens and closes them, and `www/app/app.tsx` lists what

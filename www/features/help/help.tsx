@@ -136,6 +136,10 @@ function Help({ close }: InDialog) {
         {' · '}
         <a href="./rhino.html" target="_blank">
           Rhino and Grasshopper
+        </a>
+        {' · '}
+        <a href="./teaching.html" target="_blank">
+          For teachers
         </a>{' '}
         <Button aria-haspopup="dialog" onClick={() => showCitation(app)}>
           Cite
