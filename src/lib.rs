@@ -40,6 +40,13 @@
 //! The methods of [`experiment`] are gradient descent, quasi-Newton without a metric, and a penalty
 //! method with Gauss-Newton. It drives sessions as a host does.
 //!
+//! # What is stable
+//!
+//! What the programs in `tests/library` use of [`mesh`], [`scene`], [`session`], [`solve`], [`quads`] and
+//! [`fabricate`], and the scene file, the command line and its reports, change only with the major
+//! version; while that is 0, with the second number. All else is public for the command line, the page
+//! and the tests, and may change with any version.
+//!
 //! # The page
 //!
 //! `www` is in TypeScript. Its rooms, from the lowest, and which may import which, are in
