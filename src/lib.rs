@@ -243,5 +243,56 @@ pub mod web;
 pub mod words;
 
 #[cfg(doc)]
-#[doc = include_str!("capabilities.md")]
-pub mod capabilities {}
+#[doc = include_str!("capabilities/overview.md")]
+pub mod capabilities {
+    /// The picture of an example once it is solved, as the gallery shows it: from the files of the project,
+    /// for documentation that is opened where it was made.
+    macro_rules! picture {
+        ($example:literal) => {
+            concat!(
+                "\n\n<img alt=\"The example ",
+                $example,
+                ", solved\" src=\"file://",
+                env!("CARGO_MANIFEST_DIR"),
+                "/www/pictures/",
+                $example,
+                "-end.webp\">"
+            )
+        };
+    }
+
+    #[doc = include_str!("capabilities/solver.md")]
+    #[doc = picture!("lesson-what-a-projection-is")]
+    pub mod solver {}
+
+    #[doc = include_str!("capabilities/operators.md")]
+    #[doc = picture!("fig-04-squares")]
+    #[doc = picture!("hypar")]
+    pub mod operators {}
+
+    #[doc = include_str!("capabilities/energies.md")]
+    #[doc = picture!("fig-05-planar")]
+    pub mod energies {}
+
+    #[doc = include_str!("capabilities/meshes.md")]
+    #[doc = picture!("fig-05-circular")]
+    #[doc = picture!("fig-05-mixed")]
+    #[doc = picture!("fig-06-web")]
+    #[doc = picture!("fig-06-exploration")]
+    #[doc = picture!("fig-07-quality")]
+    #[doc = picture!("fig-08-similar-blocks")]
+    #[doc = picture!("points-pavilion")]
+    pub mod meshes {}
+
+    #[doc = include_str!("capabilities/maps.md")]
+    #[doc = picture!("fig-09-polygons")]
+    pub mod maps {}
+
+    #[doc = include_str!("capabilities/results.md")]
+    #[doc = picture!("fig-10-random")]
+    #[doc = picture!("fig-11-strip")]
+    #[doc = picture!("limits-choice")]
+    #[doc = picture!("other-spline")]
+    #[doc = picture!("other-strips")]
+    pub mod results {}
+}
