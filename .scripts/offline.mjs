@@ -11,11 +11,11 @@ const SOURCE = at('www', 'app', 'service-worker.ts');
 const NAMED = ['icon.svg', 'manifest.webmanifest'];
 const WORKER = 'service-worker.js';
 /**
- * Cached only on use: the Rhino converter; the pages about Rhino, the checks and the licences, with
- * the sources; and the examples, which are there for links from elsewhere: the page makes them
+ * Cached only on use: the Rhino converter; the pages about Rhino, teaching, the checks and the
+ * licences, with the sources; and the examples, which are there for links from elsewhere: the page makes them
  * itself, from their list.
  */
-const SELDOM = /(^|\/)(rhino|checked|speed|licences|sources\/)|^examples\/(?!index)/;
+const SELDOM = /(^|\/)(rhino|teaching|guide|checked|speed|licences|sources\/)|^examples\/(?!index)/;
 /** Pictures of the first screen, of which a browser shows one. */
 const FIRST = /^assets\/first-.*\.webp$/;
 /** Pictures of the gallery, a third of all other files: cached together when it is opened. */

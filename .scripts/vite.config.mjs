@@ -111,7 +111,7 @@ const layers = {
 };
 
 /** The pages of the site. */
-const pages = ['index', 'gallery', 'licences', 'checked', 'speed', 'rhino', 'embed'];
+const pages = ['index', 'gallery', 'licences', 'checked', 'speed', 'rhino', 'teaching', 'embed'];
 
 const documents = pages.map((page) => at('www', `${page}.html`));
 /**
@@ -152,6 +152,9 @@ function begunWith(document, graph) {
 /** Size of the engine's module, for its progress display. */
 const engineBytes = statSync(at('www', 'pkg', 'engine', 'shape_up_bg.wasm')).size;
 
+/** The version of the program; a test compares it with the command line's. */
+const { version } = JSON.parse(readFileSync(at('package.json'), 'utf8'));
+
 // wasm-bindgen gives the files of all modules the same names: use the module's folder name.
 const moduleOf = (path) => /\/?pkg\/([\w-]+)\//.exec(path ?? '')?.[1] ?? '[name]';
 // Short hashes, as hashes do not compress.
@@ -164,7 +167,10 @@ const output = {
 export default {
   root: at('www'),
   base: './',
-  define: { 'import.meta.env.ENGINE_BYTES': String(engineBytes) },
+  define: {
+    'import.meta.env.ENGINE_BYTES': String(engineBytes),
+    'import.meta.env.VERSION': JSON.stringify(version),
+  },
   publicDir: false,
   oxc: { jsx: { runtime: 'automatic', importSource: 'preact' } },
   plugins: [layers, examples, readingPages, licences, speed, smallPages, onlyLicensed()],

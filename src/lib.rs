@@ -40,6 +40,13 @@
 //! The methods of [`experiment`] are gradient descent, quasi-Newton without a metric, and a penalty
 //! method with Gauss-Newton. It drives sessions as a host does.
 //!
+//! # What is stable
+//!
+//! What the programs in `tests/library` use of [`mesh`], [`scene`], [`session`], [`solve`], [`quads`] and
+//! [`fabricate`], and the scene file, the command line and its reports, change only with the major
+//! version; while that is 0, with the second number. All else is public for the command line, the page
+//! and the tests, and may change with any version.
+//!
 //! # The page
 //!
 //! `www` is in TypeScript. Its rooms, from the lowest, and which may import which, are in
@@ -57,7 +64,7 @@
 //! | `docked` | what a panel beside the view is |
 //! | `features` | what is done with a model, each by itself: make panels, build, export, lessons |
 //! | `app` | wires them; header, steps, menus and keys |
-//! | `pages` | the other pages: gallery, Rhino, what is checked, licences |
+//! | `pages` | the other pages: gallery, Rhino, teaching, speed, what is checked, licences |
 //!
 //! The page is five steps: open or make, shape, move, check, build and share. `www/index.html` has them
 //! before any script runs, `www/app/steps.ts` opens and closes them, and `www/app/app.tsx` lists what
@@ -236,5 +243,56 @@ pub mod web;
 pub mod words;
 
 #[cfg(doc)]
-#[doc = include_str!("capabilities.md")]
-pub mod capabilities {}
+#[doc = include_str!("capabilities/overview.md")]
+pub mod capabilities {
+    /// The picture of an example once it is solved, as the gallery shows it: from the files of the project,
+    /// for documentation that is opened where it was made.
+    macro_rules! picture {
+        ($example:literal) => {
+            concat!(
+                "\n\n<img alt=\"The example ",
+                $example,
+                ", solved\" src=\"file://",
+                env!("CARGO_MANIFEST_DIR"),
+                "/www/pictures/",
+                $example,
+                "-end.webp\">"
+            )
+        };
+    }
+
+    #[doc = include_str!("capabilities/solver.md")]
+    #[doc = picture!("lesson-what-a-projection-is")]
+    pub mod solver {}
+
+    #[doc = include_str!("capabilities/operators.md")]
+    #[doc = picture!("fig-04-squares")]
+    #[doc = picture!("hypar")]
+    pub mod operators {}
+
+    #[doc = include_str!("capabilities/energies.md")]
+    #[doc = picture!("fig-05-planar")]
+    pub mod energies {}
+
+    #[doc = include_str!("capabilities/meshes.md")]
+    #[doc = picture!("fig-05-circular")]
+    #[doc = picture!("fig-05-mixed")]
+    #[doc = picture!("fig-06-web")]
+    #[doc = picture!("fig-06-exploration")]
+    #[doc = picture!("fig-07-quality")]
+    #[doc = picture!("fig-08-similar-blocks")]
+    #[doc = picture!("points-pavilion")]
+    pub mod meshes {}
+
+    #[doc = include_str!("capabilities/maps.md")]
+    #[doc = picture!("fig-09-polygons")]
+    pub mod maps {}
+
+    #[doc = include_str!("capabilities/results.md")]
+    #[doc = picture!("fig-10-random")]
+    #[doc = picture!("fig-11-strip")]
+    #[doc = picture!("limits-choice")]
+    #[doc = picture!("other-spline")]
+    #[doc = picture!("other-strips")]
+    pub mod results {}
+}

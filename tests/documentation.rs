@@ -3,6 +3,7 @@
 //! scene file has every selector.
 
 use shape_up::constraint::{Element, Info, KINDS};
+use shape_up::generate::NEW_KINDS;
 use shape_up::scene::Scene;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -41,6 +42,19 @@ fn head(path: &str) -> String {
     let text = text(path);
     let lines = text.lines().map_while(|line| line.strip_prefix("//!"));
     lines.map(|line| line.strip_prefix(' ').unwrap_or(line)).collect::<Vec<_>>().join("\n")
+}
+
+#[test]
+fn the_readme_is_short_and_its_counts_are_right() {
+    let text = text("README.md");
+    let [lines, words] = [text.lines().count(), text.split_whitespace().count()];
+    assert!(lines <= 100 && words <= 900, "{lines} lines, {words} words");
+    let programs = at("tests/library").read_dir().expect("it is there").count();
+    let sentences = ["ten kinds", "the 23 operators", "six [programs](tests/library)"];
+    assert_eq!([NEW_KINDS.len(), KINDS.len(), programs], [10, 23, 6], "change {sentences:?}");
+    for sentence in sentences {
+        assert!(text.contains(sentence), "{sentence}");
+    }
 }
 
 const SCENE_FILE: &str = "src/scene/json/mod.rs";

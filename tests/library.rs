@@ -19,8 +19,8 @@ use shape_up::mesh::{Measures, Mesh, diagonal, read, write_obj};
 use std::fs::read_to_string;
 use std::path::Path;
 
-/// The most lines of an example.
-const SHORT: usize = 40;
+/// More lines than an example has.
+const LONG: usize = 40;
 
 /// A wavy roof as an OBJ file.
 fn roof() -> Vec<u8> {
@@ -87,6 +87,6 @@ fn each_is_short() {
     for entry in folder.read_dir().unwrap() {
         let path = entry.unwrap().path();
         let lines = read_to_string(&path).unwrap().lines().count();
-        assert!(lines <= SHORT, "{} has {lines} lines", path.display());
+        assert!(lines < LONG, "{} has {lines} lines", path.display());
     }
 }

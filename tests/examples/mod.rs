@@ -75,6 +75,16 @@ fn meshes_are_manifold_and_in_one_piece() {
 }
 
 #[test]
+fn twelve_models_stand_first_of_which_four_have_new_panels_on_a_surface_of_triangles() {
+    let built: Vec<_> = EXAMPLES[..13].iter().map(|example| example.build().0).collect();
+    assert!(EXAMPLES[12].id.starts_with("fig-"));
+    assert!(EXAMPLES[..12].iter().all(|example| !example.id.starts_with("fig-")));
+    assert!(built.iter().all(|scene| scene.lesson.is_none()));
+    let has_surface = |scene: &&Scene| scene.closeness.target.is_some();
+    assert_eq!(built[..12].iter().filter(has_surface).count(), 4);
+}
+
+#[test]
 fn models_are_moderate_and_have_no_slivers() {
     for example in EXAMPLES {
         let (id, mesh) = (example.id, example.build().1);

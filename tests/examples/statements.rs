@@ -37,6 +37,40 @@ const STATEMENTS: &[Statement] = &[
     ("station-roof", |run| run.new_panels([576, 4], [0.032..0.033, 0.17..0.18])),
     ("ring-pavilion", |run| run.new_panels([567, 0], [0.016..0.017, 0.2..0.21])),
     ("chalice-roof", |run| run.new_panels([480, 8], [0.032..0.033, 0.1..0.11])),
+    ("curves-slabs", |run| {
+        vec![
+            ("slabs before", run.worst[0][0], 0.565..0.575),
+            ("slabs", run.worst[0][1], 0.0..0.002),
+            ("ribs before", run.worst[1][0], 1.0..1.1),
+            ("ribs", run.worst[1][1], 0.0..0.005),
+        ]
+    }),
+    ("other-strips", |run| {
+        let [length, width] = run.longest_strip();
+        vec![
+            ("worst panel before", run.before.planarity.max_distance, 0.02..0.021),
+            ("worst panel", run.after.planarity.max_distance, 0.0..1e-9),
+            ("length of a strip", length, 28.0..29.0),
+            ("width of a strip", width, 3.0..3.6),
+            ("Gauss curvature", run.gauss_curvature(), 0.035..0.045),
+        ]
+    }),
+    ("other-spline", |run| {
+        let [before, after] = run.rim_unevenness();
+        vec![
+            ("longest over shortest before", before, 6.0..6.5),
+            ("longest over shortest", after, 1.0..1.02),
+            ("from the curve", run.worst[1][1], 0.0..0.01),
+            ("from the first edges", run.off_the_first_rim(), 0.1..0.5),
+        ]
+    }),
+    ("other-transfer", |run| {
+        vec![("rings before", run.worst[0][0], 0.8..0.83), ("rings", run.worst[0][1], 0.0..0.01)]
+    }),
+    ("points-pavilion", |run| {
+        let [before, after] = run.worst_of_all();
+        vec![("points before", before, 0.34..0.355), ("points", after, 0.0..0.005)]
+    }),
     ("fig-01-overview", |run| {
         vec![
             ("e_c before", run.e_c()[0], 1.5e-6..2.5e-6),
@@ -150,18 +184,6 @@ const STATEMENTS: &[Statement] = &[
             ("shortest edge", after, 0.0..0.02),
         ]
     }),
-    ("curves-slabs", |run| {
-        vec![
-            ("slabs before", run.worst[0][0], 0.565..0.575),
-            ("slabs", run.worst[0][1], 0.0..0.002),
-            ("ribs before", run.worst[1][0], 1.0..1.1),
-            ("ribs", run.worst[1][1], 0.0..0.005),
-        ]
-    }),
-    ("points-pavilion", |run| {
-        let [before, after] = run.worst_of_all();
-        vec![("points before", before, 0.34..0.355), ("points", after, 0.0..0.005)]
-    }),
     ("lesson-what-a-projection-is", |run| {
         let [before, after] = run.worst_of_all();
         vec![
@@ -234,28 +256,6 @@ const STATEMENTS: &[Statement] = &[
             ("e_p", run.e_p()[1], 0.0..2e-8),
             ("panels before", run.before.planarity.max_distance, 0.125..0.135),
             ("panels", run.after.planarity.max_distance, 0.0..0.007),
-        ]
-    }),
-    ("other-transfer", |run| {
-        vec![("rings before", run.worst[0][0], 0.8..0.83), ("rings", run.worst[0][1], 0.0..0.01)]
-    }),
-    ("other-spline", |run| {
-        let [before, after] = run.rim_unevenness();
-        vec![
-            ("longest over shortest before", before, 6.0..6.5),
-            ("longest over shortest", after, 1.0..1.02),
-            ("from the curve", run.worst[1][1], 0.0..0.01),
-            ("from the first edges", run.off_the_first_rim(), 0.1..0.5),
-        ]
-    }),
-    ("other-strips", |run| {
-        let [length, width] = run.longest_strip();
-        vec![
-            ("worst panel before", run.before.planarity.max_distance, 0.02..0.021),
-            ("worst panel", run.after.planarity.max_distance, 0.0..1e-9),
-            ("length of a strip", length, 28.0..29.0),
-            ("width of a strip", width, 3.0..3.6),
-            ("Gauss curvature", run.gauss_curvature(), 0.035..0.045),
         ]
     }),
 ];

@@ -16,12 +16,11 @@ pub(crate) fn drag(name: &str, bytes: &[u8]) -> Result<(String, f64), Box<dyn Er
     scene.request_panels("circle", Require::Exact, &mesh)?;
     let mut session = Session::open(scene, mesh)?;
     session.solve(false)?;
-    let [x, y, z] = session.positions()[0];
-    let height = 0.1 * diagonal(&session.positions());
-    session.drag_through(DragPhase::Make, &[0], &[[x, y, z]])?;
-    for step in 1..=10 {
-        let lifted = z + height * f64::from(step) / 10.0;
-        session.drag_through(DragPhase::Move, &[0], &[[x, y, lifted]])?;
+    let (at @ [x, y, z], size) = (session.positions()[0], diagonal(&session.positions()));
+    session.drag_through(DragPhase::Make, &[0], &[at])?;
+    for part in 1..=10 {
+        let to = [x, y, z + 0.01 * size * f64::from(part)];
+        session.drag_through(DragPhase::Move, &[0], &[to])?;
         session.step()?;
     }
     session.drag_through(DragPhase::End, &[0], &[])?;

@@ -1,4 +1,4 @@
-// The table of the paper's capabilities refers to existing files, tests and examples, and the page
+// The tables of the paper's capabilities refer to existing files, tests and examples, and the page
 // "What is checked" to existing files.
 
 import assert from 'node:assert/strict';
@@ -9,11 +9,16 @@ import { filesUnder } from '../../.scripts/stamp.mjs';
 
 const read = (path) => readFileSync(path, 'utf8');
 
-/** The cells of each row. */
-const rows = read(at('src', 'capabilities.md'))
-  .split('\n')
-  .filter((line) => line.startsWith('| '))
-  .slice(1)
+/** The texts of the pages. */
+const pages = filesUnder(at('src', 'capabilities'))
+  .filter((path) => path.endsWith('.md'))
+  .map(read);
+
+/** The cells of each row, by their numbers. */
+const rows = pages
+  .flatMap((page) => page.split('\n'))
+  .filter((line) => /^\| \d/.test(line))
+  .sort((one, other) => parseInt(one.slice(2)) - parseInt(other.slice(2)))
   .map((line) =>
     line
       .replace(/^\||\|$/g, '')
@@ -53,6 +58,23 @@ test('every file, test and example that it names is there', () => {
       assert.ok(read(at(file)).includes(wanted), `${number}: ${file} has no ${title}`);
     }
   }
+});
+
+test('each page shows pictures, of examples that its table names', () => {
+  const declared = read(at('src', 'lib.rs'));
+  const modules = declared.matchAll(
+    /include_str!\("capabilities\/(\w+\.md)"\)\]\n((?: *#\[doc = picture.*\n)+) *pub mod/g,
+  );
+  const shown = [...modules].map(([, file, pictures]) => [file, pictures.match(/[\w-]+(?="\))/g)]);
+  assert.equal(shown.length, pages.length - 1, 'all but the overview');
+  for (const [file, examples] of shown)
+    for (const id of examples) {
+      assert.ok(
+        read(at('src', 'capabilities', file)).includes(`example \`${id}\``),
+        `${file}: ${id}`,
+      );
+      assert.ok(existsSync(at('www', 'pictures', `${id}-end.webp`)), id);
+    }
 });
 
 test('every path on the page about what is checked is there', () => {

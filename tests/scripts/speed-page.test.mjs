@@ -44,3 +44,10 @@ test('the numbers of the README are in the tables of the speed page', () => {
     for (const number of claimed) assert.ok(measured.has(number.replace(/,/g, '')), row);
   }
 });
+
+test('a visit is as large as the README says', () => {
+  const most = (path, pattern) => Number(pattern.exec(readFileSync(at(path), 'utf8'))[1]);
+  const claimed = most('README.md', /A first visit, of at most (\d+) MB/);
+  // `npm run check` fails beyond it.
+  assert.equal(most('.scripts/sizes.mjs', /^const MOST = (.*);$/m), claimed * 1e6);
+});

@@ -40,7 +40,7 @@ function otherItems(menu: HTMLElement, { commands }: AppContext) {
     element(
       'a',
       { role: 'menuitem', href: './gallery.html' },
-      entry('Gallery', 'All examples with pictures of their start and end, figure by figure.'),
+      entry('Gallery', 'All examples with pictures of their start and end.'),
     ),
   ];
 }

@@ -1,5 +1,5 @@
-//! The example scenes: first models to play with, of which four have new panels on free-form
-//! surfaces, then the figures of the paper, whose numbers begin their ids, and lessons.
+//! The example scenes: twelve models to begin with, of which four have new panels on free-form
+//! surfaces, then the figures of the paper, whose numbers begin their ids, lessons, and other uses.
 //!
 //! | file or folder | holds |
 //! |---|---|

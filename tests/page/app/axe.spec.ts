@@ -190,6 +190,7 @@ for (const [name, heading] of [
   ['checked', 'What is checked'],
   ['speed', 'How fast it is'],
   ['rhino', 'From Rhino and Grasshopper'],
+  ['teaching', 'For teachers'],
 ]) {
   test(`axe: the page “${heading}”`, async ({ page }) => {
     await page.goto(`./${name}.html`);

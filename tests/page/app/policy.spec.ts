@@ -91,7 +91,7 @@ test('from opening to sharing there are no requests to other sites and no violat
   await waitForState(page, (now) => now.vertices === 25);
   await page.reload();
   await waitForState(page, (now) => now.vertices === 25);
-  for (const other of ['gallery', 'licences', 'checked', 'speed', 'rhino']) {
+  for (const other of ['gallery', 'licences', 'checked', 'speed', 'rhino', 'teaching']) {
     await page.goto(`./${other}.html`);
     await expect(page.getByRole('heading', { level: 1 })).toBeVisible();
   }

@@ -121,6 +121,32 @@ test('a lesson is written, met, handed in and checked', async ({ page }) => {
   expect(bad.stdout).toContain('not met');
 });
 
+test('the page for teachers is linked, and names controls that are there', async ({ page }) => {
+  await page.keyboard.press('?');
+  await expect(page.getByRole('link', { name: 'For teachers' })).toBeVisible();
+  await page.keyboard.press('Escape');
+  const dialog = await write(page);
+  const opened = page.waitForEvent('popup');
+  await dialog.getByRole('link', { name: 'How to make, hand out and mark a lesson' }).click();
+  const guide = await opened;
+  await expect(guide.getByRole('heading', { name: 'For teachers', level: 1 })).toBeVisible();
+  const names = new Set(await guide.getByRole('main').locator('strong').allInnerTexts());
+  expect(names.size).toBeGreaterThan(10);
+  await guide.close();
+  /** Removes the names that the page shows now, the contents of closed steps included. */
+  const find = async () => {
+    const text = (await page.locator('body').evaluate((body) => body.textContent)) ?? '';
+    for (const name of names) if (text.replace(/\s+/g, ' ').includes(name)) names.delete(name);
+  };
+  await find();
+  await dialog.getByRole('button', { name: 'Save lesson' }).click();
+  await showStep(page, 'Shape');
+  await lesson(page).getByRole('button', { name: 'Results for hand-in' }).click();
+  await expect(page.getByRole('button', { name: 'Save the file' })).toBeVisible();
+  await find();
+  expect([...names]).toEqual([]);
+});
+
 test('a lesson is opened from a link, and undone', async ({ page, context }) => {
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   const dialog = await write(page);

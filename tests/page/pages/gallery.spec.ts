@@ -21,6 +21,8 @@ test('every example has a card with two pictures, and its start differs visibly 
   const examples = await listOf(page);
   await openGallery(page);
   await expect(page.getByRole('article')).toHaveCount(examples.length);
+  const first = page.getByRole('region', { name: 'To begin with' });
+  await expect(first.getByRole('article')).toHaveCount(12);
   for (const { title, summary, statement, kinds } of examples) {
     const card = page.getByRole('article', { name: title, exact: true });
     await expect(card).toContainText(summary);

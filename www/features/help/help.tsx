@@ -49,6 +49,9 @@ const VIEW_KEYS: [string, string][] = [
   ['Alt + drag', 'on a vertex: make it a handle and move it'],
 ];
 
+/** The version of this program, which the build of the page writes here. */
+const VERSION: string = import.meta.env.VERSION;
+
 /** What a constraint can require; see `details.tsx`. */
 const REQUIRED: [string, string][] = [
   ['Soft', 'pulls, and gives way to whatever pulls the other way'],
@@ -121,8 +124,9 @@ function Help({ close }: InDialog) {
       <FileFormats />
       <DrawnBy renderer={renderer} />
       <p class="about">
-        Everything is computed in this browser; nothing is uploaded. After “Shape-Up: Shaping
-        Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise, Pauly, 2012.{' '}
+        Version {VERSION}. Everything is computed in this browser; nothing is uploaded. After
+        “Shape-Up: Shaping Discrete Geometry with Projections”, Bouaziz, Deuss, Schwartzburg, Weise,
+        Pauly, 2012.{' '}
         <a href="./licences.html" target="_blank">
           Licences
         </a>
@@ -137,6 +141,10 @@ function Help({ close }: InDialog) {
         {' · '}
         <a href="./rhino.html" target="_blank">
           Rhino and Grasshopper
+        </a>
+        {' · '}
+        <a href="./teaching.html" target="_blank">
+          For teachers
         </a>{' '}
         <Button aria-haspopup="dialog" onClick={() => showCitation(app)}>
           Cite
@@ -240,6 +248,7 @@ const program = (address: string) => `@software{shapeup,
   author  = {{The Shape-Up authors}},
   title   = {Shape-Up: shaping discrete geometry with projections, in a browser tab},
   year    = {2026},
+  version = {${VERSION}},
   url     = {${address}}
 }`;
 

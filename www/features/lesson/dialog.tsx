@@ -278,7 +278,10 @@ function LessonDialog({
       <p class="quiet">
         Students see the text and whether each goal is satisfied while they work. Locked controls
         are disabled. Undo unlocks them in this browser, but not in the file or the link. A
-        constraint with limit 0 must be exact.
+        constraint with limit 0 must be exact.{' '}
+        <a href="./teaching.html" target="_blank">
+          How to make, hand out and mark a lesson
+        </a>
       </p>
       <p class="refused" aria-live="assertive">
         {refusal}

@@ -1,4 +1,4 @@
-/** The gallery: all examples by figure, filtered by words, figure and constraint. */
+/** The gallery: the first models, the figures and the lessons, filtered by words, figure and constraint. */
 
 import { byId, element } from '../../ui/dom.ts';
 import { listOfExamples, type Example } from '../../solver/examples.ts';
@@ -64,8 +64,7 @@ function build(examples: Example[], results: Result[]): Entry[] {
   examples.forEach((example, at) => {
     const before = examples[at - 1];
     if (!before || example.figure !== before.figure || !example.goals !== !before.goals) {
-      const after = before ? (before.goals ? 'lesson' : 'figure') : 'first';
-      const heading = example.goals ? LESSONS : headingOf(example.figure, after);
+      const heading = example.goals ? LESSONS : headingOf(example.figure, at === 0);
       sections.push(section(heading, `heading-${at}`));
     }
     const made = card(
@@ -119,7 +118,7 @@ function figuresOf(examples: Example[]): [string, string][] {
   const numbers = [
     ...new Set(examples.flatMap((one) => (one.figure === null ? [] : [one.figure]))),
   ];
-  return numbers.map((number) => [String(number), headingOf(number, 'figure')]);
+  return numbers.map((number) => [String(number), headingOf(number, false)]);
 }
 
 function kindsOf(examples: Example[]): [string, string][] {
@@ -127,14 +126,9 @@ function kindsOf(examples: Example[]): [string, string][] {
   return [...labels].sort(([, a], [, b]) => a.localeCompare(b));
 }
 
-/** @param after kind of the preceding section */
-function headingOf(figure: number | null, after: 'first' | 'figure' | 'lesson') {
-  if (figure === null)
-    return {
-      first: 'To begin with',
-      figure: 'Curves and points',
-      lesson: 'Limits and other uses',
-    }[after];
+/** @param isFirst whether the section is the first one */
+function headingOf(figure: number | null, isFirst: boolean) {
+  if (figure === null) return isFirst ? 'To begin with' : 'Limits and other uses';
   const title = TITLES[figure];
   return title ? `Figure ${figure}: ${title}` : `Figure ${figure}`;
 }

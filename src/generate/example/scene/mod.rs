@@ -14,7 +14,7 @@ mod parts;
 
 use super::declaration::Example;
 
-/// All examples; the page opens the first.
+/// All examples; the page opens the first. The gallery begins with those before the first figure.
 pub const EXAMPLES: &[Example] = &[
     first::CANOPY,
     first::DOME,
@@ -23,6 +23,11 @@ pub const EXAMPLES: &[Example] = &[
     new_panels::STATION,
     new_panels::PAVILION,
     new_panels::CHALICE,
+    curves::SLABS,
+    beyond::STRIPS,
+    beyond::SPLINE,
+    beyond::TRANSFER,
+    curves::POINTS,
     overview::OVERVIEW,
     overview::TRIANGLES,
     overview::TETRAHEDRA,
@@ -46,8 +51,6 @@ pub const EXAMPLES: &[Example] = &[
     elements::COLLAPSE,
     elements::RANDOM,
     panels::STRIP,
-    curves::SLABS,
-    curves::POINTS,
     exercise::PROJECTION,
     exercise::GLASS_ROOF,
     exercise::OFFSETS,
@@ -58,7 +61,4 @@ pub const EXAMPLES: &[Example] = &[
     exercise_parts::EXACT,
     beyond::CHOICE,
     beyond::FIT,
-    beyond::TRANSFER,
-    beyond::SPLINE,
-    beyond::STRIPS,
 ];
