@@ -33,7 +33,7 @@ pub struct BuildNumber {
 
 pub(super) const BEAM_WARP: BuildNumber = BuildNumber {
     id: "beam_warp",
-    label: "Beam warp",
+    label: "Beam flatness",
     description: "largest distance of a beam's corners to its plane",
     unit: NumberUnit::Length,
 };
@@ -45,7 +45,7 @@ pub(super) const DISTANCE_ERROR: BuildNumber = BuildNumber {
 };
 pub(super) const LEAN: BuildNumber = BuildNumber {
     id: "lean",
-    label: "Axis lean",
+    label: "Lean of nodes",
     description: "largest angle between an inner node axis and the surface normal",
     unit: NumberUnit::Degrees,
 };

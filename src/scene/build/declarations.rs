@@ -284,7 +284,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(
         Limits,
         "limits.warp",
-        "Beam warp",
+        "Beam flatness",
         number(Mm, FROM_0),
         "Corners of a beam from its plane, at full size.",
     ),
@@ -298,7 +298,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(
         Limits,
         "limits.lean",
-        "Axis lean",
+        "Lean of nodes",
         number(Degrees, FROM_0),
         "Axis of a node from the normal of the surface.",
     ),
