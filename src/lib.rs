@@ -205,6 +205,7 @@
 //! | relaxed tolerance, in the code eased | a larger tolerance for some panels, where no shape within the required one can be built |
 //! | estimate, in the code forecast | said before a press: how far it will move the mesh |
 //! | suggestion | an edit that helps, tried before it is offered |
+//! | front | the side of a face that its normal points to; the back is bluish in the view |
 //!
 //! # Conventions
 //!

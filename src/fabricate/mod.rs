@@ -91,4 +91,4 @@ pub use report::{BuildReport, FrameReport, PaperReport};
 pub use report_page::ReportView;
 pub use space::{PRESENTATION, SpatialPart};
 pub use surface::{Edge, PanelSurface};
-pub use tighten::{PanelSuggestion, Tighten};
+pub use tighten::{PanelSuggestion, SettingChange, SettingValue, Tighten};

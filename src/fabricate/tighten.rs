@@ -4,10 +4,16 @@ use super::build::{Build, allowed};
 use super::check_card::CheckRow;
 use super::offset::{Closing, Closings, Reason};
 use crate::scene::OffsetKind;
+use crate::words;
 use serde::Serialize;
 
 /// Tolerance of panels relative to the limits of beams and offsets, which depend on them.
 const PART: f64 = 0.1;
+
+/// Part of the largest safe distance that is proposed: rounding to two digits stays below it.
+const SAFE_PART: f64 = 0.9;
+/// Factor by which the weight of upright axes is increased at a time, up to 1.
+const MORE: f64 = 10.0;
 
 /// A constraint on all panels.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -19,6 +25,29 @@ pub struct PanelSuggestion {
     pub within: f64,
 }
 
+/// A value of a setting of Build, and the name of a button that sets it.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub struct SettingChange {
+    /// The name of the button.
+    pub label: String,
+    /// The setting, by its id among those of Build.
+    pub setting: &'static str,
+    /// The value, in the unit of the setting.
+    pub value: SettingValue,
+}
+
+/// The value of a setting.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum SettingValue {
+    /// A number.
+    Number(f64),
+    /// A choice.
+    Word(&'static str),
+}
+
 /// The suggestions.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
@@ -27,6 +56,9 @@ pub struct Tighten {
     pub suggestions: Vec<PanelSuggestion>,
     /// Why there is none, or what helps if none of them suits the panels.
     pub otherwise: String,
+    /// What `otherwise` advises to set, if it does.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub change: Option<SettingChange>,
 }
 
 impl Build {
@@ -60,11 +92,17 @@ impl Build {
         let found = [suggestion("circle", circle), suggestion("plane", plane)];
         let suggestions: Vec<PanelSuggestion> = found.into_iter().flatten().collect();
         let irremovable = inexact.filter(|_| of_offset.is_some() && suggestions.is_empty());
+        let mut change = None;
         let otherwise = if let Some(reason) = irremovable {
             let others = kind.is_some_and(|kind| kind != OffsetKind::Corner);
             let has_openings = closings.parts.iter().any(|own| own.has_openings);
             match others && all_turned && !has_openings {
                 true => {
+                    change = Some(SettingChange {
+                        label: "Measured at corners".to_owned(),
+                        setting: "kind",
+                        value: SettingValue::Word("corner"),
+                    });
                     "Set “Measured at” to “Corners”: circular panels then make the offset exact."
                 }
                 false => {
@@ -74,12 +112,14 @@ impl Build {
                         _ => "No constraint on panels makes the offset exact",
                     };
                     let otherwise = format!("{denied}: {}.", self.in_words(reason));
-                    return Tighten { suggestions, otherwise };
+                    return Tighten { suggestions, otherwise, change };
                 }
             }
         } else if missed("safe_distance").is_some() {
+            change = self.safe_distance();
             "Bring “Distance” nearer to 0: fewer edges then flip."
         } else if missed("lean").is_some() && inexact.is_some() {
+            change = self.more_upright();
             "Increase “Upright axes”: the axes then lean less."
         } else if missed("lean").is_some() {
             "The offset is exact: how its axes lean follows from the shape and “Measured at”."
@@ -90,6 +130,25 @@ impl Build {
         } else {
             "Every number is within its limit."
         };
-        Tighten { suggestions, otherwise: otherwise.to_owned() }
+        Tighten { suggestions, otherwise: otherwise.to_owned(), change }
+    }
+
+    /// A distance at which no edge of the offset flips; none if no distance on this side is known.
+    fn safe_distance(&self) -> Option<SettingChange> {
+        let (_, check) = self.offset.as_ref()?;
+        let safe = check.safe_distance[usize::from(self.distance() > 0.0)]?;
+        let value: f64 = format!("{:.1e}", SAFE_PART * safe).parse().ok()?;
+        let label = format!("Distance {}", words::brief(value));
+        Some(SettingChange { label, setting: "distance", value: SettingValue::Number(value) })
+    }
+
+    /// More upright axes; none if their weight is the largest already.
+    fn more_upright(&self) -> Option<SettingChange> {
+        let value = (MORE * self.settings.follow).min(1.0);
+        (value > self.settings.follow).then(|| SettingChange {
+            label: "More upright axes".to_owned(),
+            setting: "follow",
+            value: SettingValue::Number(value),
+        })
     }
 }

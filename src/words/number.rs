@@ -36,12 +36,12 @@ pub fn brief(value: f64) -> String {
     signed(value, &if is_tiny { format!("{size:e}") } else { size.to_string() })
 }
 
-/// Formats a fraction, from 0 to 1, in per cent: `0 %`, `< 1 %`, `50 %`.
+/// Formats a fraction, from 0 to 1, in per cent: `0 %`, `less than 1 %`, `50 %`.
 #[cfg_attr(all(target_arch = "wasm32", feature = "words"), wasm_bindgen::prelude::wasm_bindgen)]
 pub fn part(share: f64) -> String {
     let percent = 100.0 * share;
     if percent > 0.0 && percent < 1.0 {
-        "< 1 %".to_owned()
+        "less than 1 %".to_owned()
     } else {
         format!("{} %", (percent + 0.5).floor())
     }

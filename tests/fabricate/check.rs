@@ -5,7 +5,7 @@ use super::build;
 use super::identities::revolution;
 use crate::support::grid::grid;
 use shape_up::fabricate::offset::closings;
-use shape_up::fabricate::{CheckRow, PanelSurface, Worst};
+use shape_up::fabricate::{BuildCard, CheckRow, PanelSurface, SettingChange, SettingValue, Worst};
 use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BuildSettings, CheckLimits, OffsetKind};
@@ -161,6 +161,26 @@ fn nothing_is_suggested_that_does_not_remove_the_reason() {
     assert!(words.starts_with("The offset is exact"), "{words}");
     let words = otherwise(&crate::support::grid::wall_on_floor(), &of(None));
     assert_eq!(words, "Every number that is available is within its limit.");
+}
+
+#[test]
+fn what_is_advised_to_be_set_is_a_value_that_helps() {
+    let own = |distance| BuildSettings { distance: Some(distance), ..BuildSettings::default() };
+    let far = build(&revolution(9, 7), &own(-50.0)).card();
+    let missed = |card: &BuildCard| {
+        card.check.iter().any(|row| row.id == "safe_distance" && row.met == Some(false))
+    };
+    assert!(missed(&far));
+    if let Some(SettingChange { setting, value: SettingValue::Number(value), .. }) =
+        far.tighten.change
+    {
+        assert_eq!(setting, "distance");
+        assert!(value < 0.0 && !missed(&build(&revolution(9, 7), &own(value)).card()), "{value}");
+    } else {
+        panic!("no distance is advised: {:?}", far.tighten);
+    }
+    // What is within its limits needs no change.
+    assert_eq!(build(&revolution(9, 7), &BuildSettings::default()).card().tighten.change, None);
 }
 
 /// The mesh `one`, and `other` beside it.

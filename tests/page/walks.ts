@@ -6,6 +6,7 @@ import {
   hidePanels,
   openExample,
   openText,
+  openVariations,
   runToTheEnd,
   showStep,
   tool,
@@ -396,6 +397,106 @@ export const walks: Record<string, State[]> = {
       leave: escape,
     },
   ],
+  'tools and dialogs': (
+    [
+      ['the command palette', (page) => page.keyboard.press('Control+k'), 'Commands'],
+      ['a new mesh', (page) => tool(page, 'New mesh'), 'New mesh'],
+      [
+        'a plan that is drawn',
+        async (page) => {
+          await page.keyboard.press('Control+k');
+          await page.keyboard.type('drawn plan');
+          await page.keyboard.press('Enter');
+        },
+        'New mesh',
+      ],
+      [
+        'a new mesh between curves',
+        async (page) => {
+          await tool(page, 'New mesh');
+          await page
+            .getByRole('dialog', { name: 'New mesh' })
+            .getByLabel('Shape')
+            .selectOption({ label: 'Between curves' });
+        },
+        'New mesh',
+      ],
+      ['refining', (page) => tool(page, 'Refine'), 'Refine'],
+      ['a change of the mesh', (page) => tool(page, 'Edit mesh'), 'Edit mesh'],
+      [
+        'how to cite',
+        async (page) => {
+          await tool(page, 'Help');
+          await page.getByRole('button', { name: 'Cite' }).click();
+        },
+        'Cite',
+      ],
+    ] as [string, (page: Page) => Promise<unknown>, string][]
+  )
+    .map<State>(([name, open, dialog]) => ({
+      name,
+      only: 'desktop',
+      reach: async (page) => {
+        await open(page);
+        await expect(page.getByRole('dialog', { name: dialog })).toBeVisible();
+      },
+      leave: async (page) => {
+        await escape(page);
+        await escape(page);
+        await expect(page.getByRole('dialog')).toHaveCount(0);
+      },
+    }))
+    .concat([
+      {
+        name: 'a preset of weights that may not suit the mesh',
+        only: 'desktop',
+        reach: (page) => page.getByRole('combobox', { name: 'Preset' }).selectOption({ index: 1 }),
+      },
+      {
+        name: 'the card of curvature',
+        only: 'desktop',
+        reach: async (page) => {
+          await tool(page, 'Curvature');
+          await expect(page.getByRole('region', { name: 'Curvature' })).toBeVisible();
+        },
+        leave: escape,
+      },
+      {
+        name: 'a section, and the measuring tape',
+        only: 'desktop',
+        reach: async (page) => {
+          await page.getByRole('button', { name: 'Views' }).click();
+          await page.getByRole('button', { name: 'Section plane' }).click();
+          await page.getByRole('button', { name: 'Measure a distance' }).click();
+          await expect(page.getByRole('slider', { name: 'Position of the section' })).toBeVisible();
+        },
+        leave: async (page) => {
+          await escape(page);
+          await page.getByRole('button', { name: 'End the section' }).click();
+        },
+      },
+      {
+        name: 'variations of an exact shape',
+        only: 'desktop',
+        reach: async (page) => {
+          const panel = await openVariations(page, 4);
+          await panel.getByRole('slider').first().press('ArrowRight');
+          await expect(panel.getByRole('button', { name: 'Keep', exact: true })).toBeEnabled();
+        },
+        leave: (page) => page.getByRole('button', { name: 'Close variations' }).click(),
+      },
+      {
+        name: 'the report of Build',
+        only: 'desktop',
+        reach: async (page) => {
+          await page.getByRole('button', { name: 'Build', exact: true }).click();
+          await waitForState(page, (now) => now.build !== null);
+          await page.getByRole('button', { name: 'Report' }).click();
+          await expect(page.getByRole('dialog', { name: 'Report' })).toBeVisible();
+        },
+        leave: escape,
+      },
+    ]),
   'other examples': [
     {
       name: 'a lesson, of which a line is over the view',

@@ -4,7 +4,7 @@
 
 use glam::{Mat3, Vec3};
 use shape_up::constraint::KINDS;
-use shape_up::view::appearance::{ColourMap, DARK, DotKind, LIGHT, Palette};
+use shape_up::view::appearance::{ColourMap, DARK, DotKind, LIGHT, LineKind, Palette};
 
 /// Clearly visible difference in CIELAB: seven times the just noticeable difference of 2.3.
 const PLAIN: f32 = 16.1;
@@ -125,6 +125,20 @@ fn dots_of_selected_vertices_and_handles_are_seen_on_every_value() {
         for kind in [DotKind::Selected, DotKind::Handle, DotKind::Fixed, DotKind::Active] {
             let dot = palette.dots[kind as usize];
             assert_seen("a dot", |_, _| [rgb(dot.fill), rgb(dot.rim)]);
+        }
+    }
+}
+
+#[test]
+fn edges_are_seen_on_lit_and_on_shaded_faces_and_are_lighter_than_these_in_the_dark() {
+    // They were as dark as the shade of the dark theme, where they vanished.
+    for palette in themes() {
+        let [.., much] = palette.strokes[LineKind::Edge as usize].colour;
+        let edge = rgb(palette.strokes[LineKind::Edge as usize].colour);
+        for face in [rgb(palette.material), rgb(palette.shade)] {
+            let [line, around] = [face.lerp(edge, much), face].map(|it| seen(it, Mat3::IDENTITY));
+            assert!(line.distance(around) > PLAIN, "{line} on {around}");
+            assert_eq!(line.x > around.x, palette.shade == DARK.shade, "{line} on {around}");
         }
     }
 }

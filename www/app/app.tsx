@@ -20,9 +20,11 @@ import { RunMessage } from '../features/warnings/run-message.tsx';
 import { Warnings } from '../features/warnings/warnings.tsx';
 import { FirstHints } from '../features/hints.tsx';
 import { Colours } from '../panels/colours/colours.tsx';
+import { Compare } from '../panels/colours/compare.tsx';
 import { Shown } from '../panels/colours/shown.tsx';
 import { Constraints } from '../panels/constraints/constraints.tsx';
 import { Energies } from '../panels/energies/energies.tsx';
+import { HalfStepSwitch } from '../panels/energies/half-step-switch.tsx';
 import { Handles } from '../panels/handles/handles.tsx';
 import { ExampleNote } from '../panels/example.tsx';
 import { Legend } from '../panels/legend/legend.tsx';
@@ -31,6 +33,7 @@ import { SelectBar } from '../panels/select-bar/select-bar.tsx';
 import { SelectMenu } from '../panels/select-bar/select-menu.tsx';
 import { Hint, Status, StatusNumbers } from '../panels/status-bar/status-bar.tsx';
 import { ModelFact, MoveFact, ShapeFact } from '../panels/step-facts.tsx';
+import { Tolerance } from '../panels/tolerance.tsx';
 import { AppProvider, useApp } from '../store/use-app.ts';
 import { Subject } from '../ui/components/use-typed.ts';
 import { byId } from '../ui/dom.ts';
@@ -75,8 +78,11 @@ const PLACES: Record<string, ComponentType> = {
   'import-report': ImportReport,
   constraints: lockable('constraints', Constraints, 'the constraints stay as they are'),
   energies: lockable('weights', Energies, 'the weights stay as they are'),
+  'solver-tools': HalfStepSwitch,
   handles: lockable('handles', Handles, 'the handles stay as they are'),
+  'tolerance-place': Tolerance,
   colours: Colours,
+  compare: Compare,
   display: Shown,
   analysis: Analysis,
   status: Status,

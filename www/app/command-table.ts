@@ -17,7 +17,8 @@ import { share } from '../features/share/dialog-share.tsx';
 import { canVary } from '../features/variations/variations-panel.tsx';
 import { viewCommands } from '../features/view-tools/view-commands.ts';
 import { halfStepTitle } from '../store/half-step.ts';
-import { LOCKED, isLocked } from '../store/panels-card.ts';
+import { LOCKED, isLocked, panelsCard } from '../store/panels-card.ts';
+import { sizeOfSelection } from '../store/selection.ts';
 import { mapInWords } from '../store/stale-map.ts';
 import { openPrepared } from '../store/show-dialog.tsx';
 import { isDrawn, type State } from '../store/state.ts';
@@ -46,6 +47,12 @@ const LEVELS = [
   ['teach', 'Show files, presentation and lesson'],
 ];
 
+/** Opens the menu of a button, whose step may be closed. */
+function openMenuOf(button: HTMLElement) {
+  reveal(button);
+  button.click();
+}
+
 export function commandTable(
   app: AppContext,
   pointer: PointerInput,
@@ -70,7 +77,8 @@ export function commandTable(
     if (store.get().tape) return actions.look({ tape: null, status: 'Measuring ended' });
     if (store.get().flatMap) return actions.look({ flatMap: null });
     alerts.clear();
-    actions.selectNothing();
+    if (sizeOfSelection(store.get().selection) > 0) return actions.selectNothing();
+    if (panelsCard(store.get())) actions.closePanelsCard();
   }
 
   // Only the solver knows whether there is a step: an edit may have been sent that the page does not
@@ -160,6 +168,14 @@ export function commandTable(
       keys: ['R'],
       unlisted: true,
       action: () => app.hold.begin(),
+      enabled: (state) => state.document !== null && isDrawn(state),
+    },
+    {
+      id: 'show-original',
+      group: 'View',
+      label: 'Show the original until the next press',
+      keys: [],
+      action: () => app.hold.showUntilPress(),
       enabled: (state) => state.document !== null && isDrawn(state),
     },
     {
@@ -434,6 +450,13 @@ export function commandTable(
       keys: ['Ctrl+O'],
       action: () => fileInput.click(),
     },
+    ...['Examples', 'Open recent'].map((label, i) => ({
+      id: ['examples', 'recent'][i],
+      group: 'File',
+      label,
+      keys: [],
+      action: () => openMenuOf(byId(['examples-button', 'recent-button'][i])),
+    })),
     {
       id: 'save',
       group: 'File',

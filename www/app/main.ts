@@ -18,7 +18,6 @@ import { SolverClient } from '../solver/solver-client.ts';
 import { createActions } from '../store/actions.ts';
 import { colourFaces } from '../store/colours/colour-scale.ts';
 import { colourRows } from '../store/colours/constraint-colours.ts';
-import { bindHalfStepSwitch } from '../store/half-step.ts';
 import { meshActions } from '../store/mesh-actions.ts';
 import { Selecting } from '../store/mesh-queries.ts';
 import { runEarlyPresses } from '../store/perform.ts';
@@ -118,7 +117,6 @@ for (const button of document.querySelectorAll('[data-command="reset"]'))
 bindButtons(commands, store);
 bindKeys(commands, store, actions.settled);
 bindRunButton(byId('run'), store);
-bindHalfStepSwitch(store);
 /** collected by a script in index.html */
 const early: Window & { earlyPresses?: string[] } = window;
 runEarlyPresses(commands, store, early.earlyPresses ?? []);

@@ -323,5 +323,5 @@ export async function markUnreadable(work: Work) {
 }
 
 function timeOf(time: number) {
-  return new Date(time).toLocaleTimeString([], { hour: '2-digit', minute: '2-digit' });
+  return new Date(time).toLocaleTimeString('en-GB', { hour: '2-digit', minute: '2-digit' });
 }

@@ -60,6 +60,7 @@ export function RecentMenu() {
   );
 }
 
+/** In the language of the page. */
 function dateOf(time: number) {
-  return new Date(time).toLocaleString([], { dateStyle: 'medium', timeStyle: 'short' });
+  return new Date(time).toLocaleString('en-GB', { dateStyle: 'medium', timeStyle: 'short' });
 }

@@ -11,6 +11,8 @@ import type { Actions } from '../store/actions.ts';
 const STATUS = 'Showing the original while held';
 /** A button with a click action shows the original if held at least this long, in milliseconds. */
 const LONG_PRESS_MS = 300;
+/** After this time the key that asked for the original is released, in milliseconds. */
+const RELEASED_MS = 400;
 
 export class HoldOriginal {
   #store;
@@ -46,6 +48,11 @@ export class HoldOriginal {
     } catch (error) {
       this.#actions.setStatus(messageOf(error));
     }
+  }
+
+  /** Shows the original until the next press ends, without anything held. */
+  showUntilPress() {
+    setTimeout(() => void this.begin(), RELEASED_MS);
   }
 
   end() {

@@ -13,7 +13,7 @@ export function CommandButton({
   of,
   onClick,
   ...rest
-}: Omit<ComponentProps<'button'>, 'of' | 'role'> & { of: string }) {
+}: Omit<ComponentProps<'button'>, 'of' | 'role'> & { of: string; role?: 'switch' }) {
   const { store, commands } = useApp();
   const command = commands.find(({ id }) => id === of);
   if (!command) throw new Error(`no command is called ${of}`);

@@ -1,22 +1,12 @@
-/** The two halves of an iteration (Fig. 4 of the paper): the toggle between them, and their words. */
+/** The two halves of an iteration (Fig. 4 of the paper) in words. */
 
 import { groupDigits } from '../ui/words.ts';
 import type { HalfStep } from '../pkg/engine/shape_up.js';
-import type { Store } from './state.ts';
 
 export function halfStepTitle({ halfway }: { halfway: boolean }) {
   return halfway
     ? 'Global step: move all vertices to the least-squares solution'
     : 'Local step: fit a shape to each constraint; nothing moves yet';
-}
-
-/** The switch is on between the two halves. */
-export function bindHalfStepSwitch(store: Store) {
-  const toggle = document.querySelector('[data-command="half-step"]');
-  store.subscribe(['halfway'], ({ halfway }) => {
-    toggle?.setAttribute('aria-checked', String(halfway));
-    toggle?.querySelector('use')?.setAttribute('href', halfway ? '#icon-global' : '#icon-local');
-  });
 }
 
 /** Describes a half step and the next. */

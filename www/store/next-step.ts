@@ -16,7 +16,7 @@ export const NEXT_STEP_KEYS = [
  * - `shape`: nothing is constrained yet, and there are panels
  * - `change`: as before, but another mesh is needed or suggested first
  * - `constrain`: nothing is constrained or held yet, and no press is for these faces
- * - `run`: constraints are not met or cannot be added, or nothing can be built
+ * - `run`: it runs, constraints are not met or cannot be added, or nothing can be built
  * - `choose`: a run has ended, but its shape is not good: something is beyond the tolerance, or its
  *   verdict, if not closed, offers better ones
  * - `build`: all is met
@@ -27,13 +27,14 @@ type Known = Pick<State, (typeof NEXT_STEP_KEYS)[number]>;
 
 export function nextStep(state: Known): NextStep {
   const { document, model, running, converged, numbers } = state;
+  if (running) return 'run';
   if (!document?.constraints.some(({ enabled }) => enabled)) {
     if (isLocked({ document }, 'constraints')) return 'run';
     if (model?.panels.some(({ reason }) => !reason)) return 'shape';
     if (document?.handles.length) return 'run';
     return model?.panelSuggestion ? 'change' : 'constrain';
   }
-  if (running || !converged || numbers?.exact?.met === false || !model?.faces) return 'run';
+  if (!converged || numbers?.exact?.met === false || !model?.faces) return 'run';
   const isBeyond = document.constraints.some(
     ({ enabled, require }, row) =>
       enabled && require === 'soft' && (numbers?.worst[row] ?? 0) > document.tolerance,

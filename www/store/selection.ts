@@ -38,6 +38,13 @@ export function select(
   return { ...selection, [mode]: next };
 }
 
+/** Smallest and largest radius of the brush, in CSS pixels. */
+const BRUSH = [4, 120];
+
+/** Returns the radius of the brush times a factor. */
+export const resizedBrush = (radius: number, factor: number) =>
+  Math.min(Math.max(Math.round(radius * factor), BRUSH[0]), BRUSH[1]);
+
 /** Number of selected elements. */
 export function sizeOfSelection({ vertices, edges, faces }: Selection) {
   return vertices.size + edges.size + faces.size;

@@ -122,6 +122,7 @@ export interface State {
     log: boolean;
     gizmo: boolean;
     timings: boolean;
+    legend: boolean;
     map: 'viridis' | 'cividis' | 'turbo' | 'diverging' | 'grey';
   };
   /**
@@ -300,6 +301,7 @@ const INITIAL: State = {
     log: false,
     gizmo: true,
     timings: false,
+    legend: true,
     map: 'viridis',
   },
   camera: null,

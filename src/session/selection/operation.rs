@@ -238,7 +238,7 @@ pub const OPERATIONS: &[Operation] = &[
     },
     Operation {
         id: "free",
-        label: "Free vertices",
+        label: "Vertices held by nothing",
         summary: "Vertices without constraint, closeness, smoothness or handle, which stay where they are.",
         group: FIND,
         gives: Some(Mode::Vertices),

@@ -191,6 +191,7 @@ for (const [name, heading] of [
   ['speed', 'How fast it is'],
   ['rhino', 'From Rhino and Grasshopper'],
   ['teaching', 'For teachers'],
+  ['licences', 'Licences'],
 ]) {
   test(`axe: the page “${heading}”`, async ({ page }) => {
     await page.goto(`./${name}.html`);
@@ -202,5 +203,11 @@ for (const [name, heading] of [
 test('axe: an embedded view that is not yet started', async ({ page }) => {
   await page.goto('./embed.html?embed#example=fig-05-circular');
   await expect(page.getByRole('img', { name: 'Hall of circular panels' })).toBeVisible();
+  await expectNothing(page);
+});
+
+test('axe: an embedded view that is started', async ({ page }) => {
+  await page.goto('./?embed&autoplay#example=hypar');
+  await page.waitForFunction(() => window.shapeUp?.state().converged);
   await expectNothing(page);
 });

@@ -2,9 +2,9 @@
 // nothing covers the model while it moves.
 
 import type { Page } from '@playwright/test';
-import { constraintCount, openText } from '../actions.ts';
-import { wavyGrid } from '../meshes.ts';
-import { boxOf, expect, openPage, test, visit, waitForState } from '../support.ts';
+import { constraintCount, openText, openVariations } from '../actions.ts';
+import { gridText, vault, wavyGrid } from '../meshes.ts';
+import { boxOf, expect, openPage, sceneOf, test, visit, waitForState } from '../support.ts';
 
 test.use({ opened: false });
 
@@ -87,6 +87,8 @@ test('the button of the suggested next step is the filled one', async ({ page })
       .evaluate((button) => getComputedStyle(button).backgroundColor);
   await visit(page);
   await expect.poll(next).toBe('build');
+  // It has faded in.
+  await isNext(page, 'Build');
   const filled = await colour('Build');
   expect(await colour('Run')).not.toBe(filled);
   await openPage(page);
@@ -117,6 +119,131 @@ test('the button of the suggested next step is the filled one', async ({ page })
   await expect.poll(next).toBe('change');
   expect(await colour('Run')).not.toBe(filled);
   await expect(page.getByText('Next: other panels')).toBeVisible();
+});
+
+/** The buttons that are filled and can be pressed: what is on them. */
+const filled = (page: Page) =>
+  page.evaluate(() => {
+    const probe = document.body.appendChild(document.createElement('i'));
+    probe.style.background = 'var(--accent)';
+    const accent = getComputedStyle(probe).backgroundColor;
+    probe.remove();
+    return [...document.querySelectorAll<HTMLElement>('button:enabled')]
+      .filter((one) => getComputedStyle(one).backgroundColor === accent)
+      .filter((one) => one.checkVisibility({ visibilityProperty: true }))
+      .map((one) => one.textContent.trim());
+  });
+const isNext = (page: Page, what: string | RegExp) => {
+  const name = typeof what === 'string' ? what : expect.stringMatching(what);
+  return expect.poll(() => filled(page)).toEqual([name]);
+};
+const card = (page: Page) => page.getByRole('group', { name: 'Panels', exact: true });
+const closeCard = (page: Page) => card(page).getByRole('button', { name: 'Close' }).click();
+
+/** Flat panels that are far from circular: a grid that leans. */
+const leaningGrid = (n: number) =>
+  gridText(n, () => 0).replace(
+    /^v (\S+) (\S+)/gm,
+    (_, x: string, y: string) => `v ${Number(x) + 0.8 * Number(y)} ${y}`,
+  );
+
+test('in every state one button is filled, that of the next step, which the estimate decides', async ({
+  page,
+}) => {
+  // It was "circular" whatever the estimate wherever the card was not, and with a docked panel two were filled.
+  await visit(page);
+  await isNext(page, 'Build');
+  await openText(page, 'leaning.obj', leaningGrid(6), 49);
+  await isNext(page, 'Make panels flat');
+  await page.getByRole('button', { name: 'Build', exact: true }).click();
+  await waitForState(page, (now) => now.build !== null);
+  await isNext(page, /^(Meet the limits|Save drawings and tables)$/);
+  await page.getByRole('button', { name: 'Close build' }).click();
+  await closeCard(page);
+  await isNext(page, 'Make panels flat');
+  await page.keyboard.press('u');
+  await expect(page.getByRole('heading', { name: 'Flat map' })).toBeVisible();
+  await isNext(page, 'Make panels flat');
+  await page.keyboard.press('Escape');
+
+  // Panels along the lines of curvature come first where they help, in the step as on the card.
+  await openText(page, 'vault.obj', vault(14), 225);
+  await isNext(page, 'New panels along the curvature');
+  await closeCard(page);
+  await isNext(page, 'New panels along the curvature');
+  await page.getByRole('button', { name: 'New panels along the curvature' }).click();
+  await isNext(page, 'Use these panels');
+  await page.keyboard.press('Escape');
+
+  await openPage(page);
+  await isNext(page, 'Run');
+  await openText(page, 'curve.obj', 'v 0 0 0\nv 1 0 0\nv 2 1 0\nl 1 2 3\n', 3);
+  await isNext(page, 'Add constraint');
+  const triangles = 'v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\nf 1 2 3\nf 1 3 4\n';
+  await openText(page, 'triangles.obj', triangles, 4);
+  await isNext(page, /./);
+  const [first] = await filled(page);
+  await closeCard(page);
+  await isNext(page, first);
+});
+
+test('after a run one button is filled: a way to a better shape, or Build', async ({ page }) => {
+  await visit(page);
+  const variations = await openVariations(page, 6);
+  // The verdict, which the panel has no room for, offers an exact shape.
+  await isNext(page, 'Make exact');
+  await variations.getByRole('slider').first().press('ArrowRight');
+  await isNext(page, 'Keep');
+  await variations.getByRole('button', { name: 'Close variations' }).click();
+  // Its verdict says that the surface moved far.
+  await expect(card(page)).toBeVisible();
+  await isNext(page, /./);
+  await closeCard(page);
+  await isNext(page, 'Build');
+
+  // Corners of a face at places that no plane contains.
+  await openText(page, 'roof.obj', wavyGrid(6), 49);
+  const scene = await sceneOf(page);
+  scene.constraints = [{ kind: 'plane', on: 'faces' }];
+  scene.handles = [0, 1, 7, 8].map((vertex, k) => ({
+    vertices: [vertex],
+    targets: [[vertex % 7, Math.floor(vertex / 7), k % 3 ? -3 : 3]],
+    fixed: true,
+  }));
+  await openText(page, 'hard.shapeup.json', JSON.stringify(scene), 49);
+  await isNext(page, 'Run');
+  await page.getByRole('button', { name: 'Run' }).click();
+  await isNext(page, /^Remove the handles: /);
+  await page.getByRole('button', { name: 'Dismiss the verdict' }).click();
+  await isNext(page, /^Make panels /);
+});
+
+test('what is on the first level has no formula', async ({ page }) => {
+  await visit(page);
+  for (const name of ['Open or make', 'Move', 'Check']) await summary(page, name).click();
+  expect(await page.locator('body').innerText()).not.toMatch(/[λφΣ∑‖²]|e_[cp]|\^2/);
+});
+
+test('menus and settings are commands, too', async ({ page }) => {
+  await visit(page);
+  const field = page.getByRole('combobox', { name: 'Command' });
+  for (const [typed, what] of [
+    ['examples', page.getByRole('menu', { name: 'Examples' })],
+    ['open recent', page.getByRole('menu', { name: 'Open recent' })],
+    ['keep this view', page.getByText('View 1 is kept')],
+    ['original until', page.getByText('Showing the original while held')],
+  ] as const) {
+    await page.keyboard.press('Control+k');
+    await field.fill(typed);
+    await field.press('Enter');
+    await expect(what).toBeVisible();
+    await page.keyboard.press('Escape');
+  }
+  await expect(page.getByText('Showing the original while held')).toBeHidden();
+  await page.keyboard.press('Control+k');
+  await field.fill('mouse as');
+  const palette = page.getByRole('dialog', { name: 'Commands' });
+  await expect(palette.getByRole('option')).toHaveCount(3);
 });
 
 test('actions on a selection are offered once something is selected', async ({ page }) => {

@@ -165,6 +165,21 @@ test('a mesh is opened, constrained, solved and exported by keyboard alone', asy
   await page.keyboard.press('Control+e');
   expect((await download).suggestedFilename()).toBe('roof.obj');
   await expect(status(page)).toHaveText('Saved roof.obj');
+
+  // Share: the link that is copied opens the same scene.
+  await tabTo(page, /^Share$/);
+  await page.keyboard.press('Enter');
+  const share = page.getByRole('dialog', { name: 'Share' });
+  await expect(share).toBeVisible();
+  await tabTo(page, /^Copy link$/);
+  await page.keyboard.press('Enter');
+  await expect(share.locator('#share-copied')).not.toBeEmpty();
+  const link = await share.getByRole('textbox', { name: 'Link' }).inputValue();
+  await page.goto('about:blank');
+  await page.goto(link);
+  const opened = await waitForState(page, (now) => now.vertices === 25);
+  expect(opened.constraints).toEqual({ plane: 16 });
+  expect(opened.handles).toHaveLength(4);
 });
 
 /** Moves down a menu with the arrow keys. */

@@ -43,7 +43,7 @@ test('colours, a banded legend, and the number of faces within a tolerance', asy
   await expect(legend).toContainText('steps of');
 
   await showStep(page, 'Check');
-  const tolerance = page.getByLabel('Tolerance');
+  const tolerance = page.getByLabel('Limit', { exact: true });
   await tolerance.fill('1000');
   await tolerance.press('Enter');
   await expect(page.getByTitle('Panels within the tolerance')).toHaveText('36 of 36 within');

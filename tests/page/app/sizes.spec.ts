@@ -7,6 +7,7 @@ import { openText, showStep, tool } from '../actions.ts';
 import { boxOf, expect, openPage, test, waitForState } from '../support.ts';
 
 const SMALL = { width: 1024, height: 768 };
+const UPRIGHT = { width: 820, height: 1180 };
 const ON_ITS_SIDE = { width: 844, height: 390 };
 
 const view = (page: Page) => page.getByRole('application', { name: '3D view' });
@@ -161,6 +162,56 @@ test.describe('a presentation', () => {
     expect(overlap(await boxOf(legend(page)), await boxOf(stage.getByText('1 of 1')))).toBe(false);
   });
 });
+
+for (const viewport of [SMALL, UPRIGHT])
+  test.describe(`a tablet of ${viewport.width} by ${viewport.height} pixels`, () => {
+    test.use({ viewport, hasTouch: true });
+
+    test('touch targets are large enough in every step, and nothing lies beyond the window', async ({
+      page,
+    }) => {
+      await lookAtTargets(page);
+      const header = page.getByRole('banner').getByRole('button');
+      const ends = await header.evaluateAll((all) =>
+        all.map((one) => one.getBoundingClientRect().right),
+      );
+      expect(Math.max(...ends)).toBeLessThanOrEqual(viewport.width);
+      // What a click selects is written.
+      for (const word of ['Vertices', 'Edges', 'Faces']) {
+        const { width } = await boxOf(page.getByRole('banner').getByText(word, { exact: true }));
+        expect(width, word).toBeGreaterThan(20);
+      }
+      for (const step of ['open', 'shape', 'move', 'check', 'build']) {
+        for (const end of ['start', 'end'] as const) {
+          await page
+            .locator(`#step-${step}`)
+            .evaluate((one, block) => one.scrollIntoView({ block }), end);
+          expect(await smallTargets(page), `${step}, ${end}`).toEqual([]);
+        }
+      }
+    });
+
+    test('touch targets are large enough beside a verdict, in Build and in dialogs', async ({
+      page,
+    }) => {
+      await makeFlat(page);
+      expect(await smallTargets(page)).toEqual([]);
+      const [one, other] = [await boxOf(card(page)), await boxOf(legend(page))];
+      expect(overlap(one, other)).toBe(false);
+      for (const [button, name] of [
+        ['Add constraint', 'New constraint'],
+        ['Share', 'Share'],
+        ['Refine', 'Refine'],
+      ]) {
+        const dialog = await openBehind(page, button, name);
+        expect(await smallTargets(page), name).toEqual([]);
+        await dialog.getByRole('button', { name: 'Close' }).first().click();
+      }
+      await tool(page, 'Build');
+      await waitForState(page, (now) => now.build !== null);
+      expect(await smallTargets(page)).toEqual([]);
+    });
+  });
 
 test.describe('a phone in landscape', () => {
   test.use({ viewport: ON_ITS_SIDE, hasTouch: true });

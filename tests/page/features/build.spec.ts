@@ -112,7 +112,7 @@ test('circular panels become drawings in mm, identical to those of the command l
   }
 });
 
-test('failed checks are red on the sheet at once, and Tighten makes the parts fit', async ({
+test('failed checks are red on the sheet at once, and a press makes the parts fit', async ({
   page,
 }) => {
   await openPage(page);
@@ -164,7 +164,7 @@ test('failed checks are red on the sheet at once, and Tighten makes the parts fi
   await expect(page.getByRole('alert')).toContainText('Margin: found 5000');
   await partsPanel(page).getByText('Cutting', { exact: true }).click();
 
-  await partsPanel(page).getByRole('button', { name: 'Tighten' }).click();
+  await partsPanel(page).getByRole('button', { name: 'Meet the limits' }).click();
   const tightened = await waitForState(
     page,
     (now) => !now.running && now.build?.check.every(({ met }) => met),
@@ -174,7 +174,7 @@ test('failed checks are red on the sheet at once, and Tighten makes the parts fi
   await expect(page.getByRole('checkbox', { name: 'Best-fitting shapes' })).toBeChecked();
   await expect.poll(failed).toEqual([]);
   await expect(partsPanel(page).getByRole('button', { name: 'Corners' })).toContainText('exact');
-  await expect(partsPanel(page).getByRole('button', { name: 'Tighten' })).toBeDisabled();
+  await expect(partsPanel(page).getByRole('button', { name: 'Meet the limits' })).toBeDisabled();
 });
 
 test('what would be too small or would collide is said, with a button that sets it right', async ({

@@ -68,7 +68,7 @@ test(
 test('every other command ends the half step', async ({ page }) => {
   await openExample(page, 'fig-04-squares', 384);
   const isHalfway = async (checked: boolean) => {
-    const shown = page.locator('[data-command="half-step"]').first();
+    const shown = page.getByRole('switch', { name: 'Half step', includeHidden: true });
     await expect(shown).toHaveAttribute('aria-checked', String(checked));
   };
   for (const other of ['Step', 'Reset', 'Undo']) {

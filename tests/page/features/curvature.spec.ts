@@ -79,7 +79,7 @@ test('Gauss and mean curvature are coloured around zero, with units in metres', 
     'aria-label',
     /^144 faces between −0\.0\d+ 1\/m² and 0\.0\d+ 1\/m²$/,
   );
-  await expect(page.getByRole('spinbutton', { name: 'Tolerance' })).toBeHidden();
+  await expect(page.getByRole('spinbutton', { name: 'Limit' })).toBeHidden();
   const [low, high] = ['from', 'to'].map((end) => page.getByLabel(`Colours ${end}`));
   expect(await low.inputValue()).toBe(`−${await high.inputValue()}`);
   await high.fill('0.02');

@@ -7,7 +7,7 @@ import type { AddressInfo } from 'node:net';
 import jsqr from 'jsqr';
 import { openText, tool } from '../actions.ts';
 import { wavyGrid } from '../meshes.ts';
-import { decodePng } from '../picture.ts';
+import { decodePng, distinctColours } from '../picture.ts';
 import { expect, openPage, test as base } from '../support.ts';
 
 /** Starts a server on a free port of this machine and returns the port. */
@@ -175,4 +175,16 @@ test('a model that is no example is drawn before it is started, under its name',
   for (let at = 0; at < pixels.length; at += channels)
     colours.add(pixels.subarray(at, at + 3).join());
   expect(colours.size).toBeGreaterThan(50);
+});
+
+test('curves are drawn before they are started, too', async ({ page }) => {
+  // What has no faces was an empty field.
+  await openPage(page);
+  await openText(page, 'curve.obj', 'v 0 0 0\nv 1 0 0\nv 2 1 0\nl 1 2 3\n', 3);
+  await tool(page, 'Share');
+  const dialog = page.getByRole('dialog', { name: 'Share' });
+  const link = await dialog.getByRole('textbox', { name: 'Link' }).inputValue();
+  await page.goto(`embed.html?embed${new URL(link).hash}`);
+  const picture = decodePng(await page.getByRole('img', { name: 'curve' }).screenshot());
+  expect(distinctColours(picture)).toBeGreaterThan(2);
 });

@@ -114,7 +114,7 @@ test(
     };
     const [ramp, ...pictures] = await flattened();
     await page.keyboard.press('Escape');
-    await page.getByLabel('Colour map', { exact: true }).selectOption('Turbo');
+    await page.getByLabel('Colour map', { exact: true }).selectOption('turbo');
     await page.getByLabel('Colours in bands').check();
     const [rampThen, ...picturesThen] = await flattened();
     expect(rampThen).toBe(ramp);

@@ -124,6 +124,12 @@ test('steps are shown by buttons and by the keys of a presenter', async ({ page 
   expect(await isDark()).toBe(true);
   await page.keyboard.press('b');
   expect(await isDark()).toBe(false);
+  // What lies over the model can be put away.
+  const heading = stage.getByRole('heading', { name: 'Flat panels' });
+  await page.keyboard.press('t');
+  await expect(heading).toBeHidden();
+  await stage.getByRole('button', { name: 'Title' }).click();
+  await expect(heading).toBeVisible();
 
   await page.keyboard.press('Escape');
   await expect(stage).toHaveCount(0);
@@ -266,7 +272,7 @@ test('the buttons lie below the view, at its edge', async ({ page }) => {
   await makeSteps(page);
   await dialogOf(page).getByRole('button', { name: 'Start', exact: true }).click();
   const view = await boxOf(page.getByRole('application', { name: '3D view' }));
-  for (const name of ['Previous', 'Next', 'End']) {
+  for (const name of ['Previous', 'Next', 'Title', 'End']) {
     const button = await boxOf(stageOf(page).getByRole('button', { name }));
     expect(button.y, name).toBeGreaterThanOrEqual(view.y + view.height);
   }

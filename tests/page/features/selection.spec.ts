@@ -153,6 +153,13 @@ test('a brush selects what it touches, and can be made larger and smaller', asyn
   await page.getByRole('application', { name: '3D view' }).focus();
   for (let press = 0; press < 9; press++) await page.keyboard.press(']');
   expect(Number(await radius.inputValue())).toBeGreaterThan(20);
+  const before = Number(await radius.inputValue());
+  await page.mouse.move(...way[0]);
+  await page.keyboard.down('Alt');
+  await page.mouse.wheel(0, -100);
+  await expect.poll(async () => Number(await radius.inputValue())).toBeGreaterThan(before);
+  await page.mouse.wheel(0, 100);
+  await page.keyboard.up('Alt');
   await drag(page, way);
   const thick = (await state(page)).selection.faces;
   expect(thick.length).toBeGreaterThan(thin.length);

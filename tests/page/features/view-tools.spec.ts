@@ -88,6 +88,23 @@ test('views are chosen by keys and menu, at once with reduced motion', async ({ 
     .toBeGreaterThan(20);
   for (const name of ['Top', 'Right', 'Back', 'Left', 'Bottom', 'Isometric'])
     await expect(menu.getByRole('button', { name })).toBeVisible();
+  await page.keyboard.press('Escape');
+
+  const view = page.getByRole('application', { name: '3D view' });
+  await view.focus();
+  await page.keyboard.press('Numpad7');
+  await expect(page.getByRole('status')).toHaveText('View: top');
+  // Two vertices are fitted: they are farther apart in the picture.
+  const apart = async () => (await screenOf(page, 1))[0] - (await screenOf(page, 0))[0];
+  const before = await apart();
+  await page.keyboard.press('1');
+  await page.mouse.click(...(await screenOf(page, 0)));
+  await page.keyboard.down('Shift');
+  await page.mouse.click(...(await screenOf(page, 1)));
+  await page.keyboard.up('Shift');
+  await waitForState(page, (now) => now.selection.vertices.length === 2);
+  await page.keyboard.press('f');
+  await expect.poll(apart).toBeGreaterThan(1.3 * before);
 });
 
 test('a model that is opened again has a camera, which a presentation keeps', async ({ page }) => {

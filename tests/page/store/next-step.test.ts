@@ -34,6 +34,8 @@ test('the next step is the first that is missing', () => {
   assert.equal(after({ document: { ...bare, handles: [{ vertex: 0 }] }, model: mixed }), 'run');
   assert.equal(after({ converged: false }), 'run');
   assert.equal(after({ running: true }), 'run');
+  // Nothing is constrained, but a handle is pulled: Pause was filled, and a button for the panels.
+  assert.equal(after({ document: bare, running: true }), 'run');
   assert.equal(after({ numbers: { exact: { met: false } } }), 'run');
   assert.equal(after({ model: { faces: 0, panels: [] } }), 'run');
   assert.equal(after(), 'build');

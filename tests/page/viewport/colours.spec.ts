@@ -187,7 +187,7 @@ test('the legend counts the faces within a tolerance', async ({ page }) => {
   expect(names.length).toBeGreaterThan(10);
   await colours.selectOption('Planarity: diagonals');
   await hidePanels(page);
-  const tolerance = page.getByLabel('Tolerance');
+  const tolerance = page.getByLabel('Limit', { exact: true });
   const within = page.getByTitle('Panels within the tolerance');
   const histogram = page.getByRole('img', { name: /^432 faces between 0 and .* %$/ });
   await expect(histogram).toBeVisible();
@@ -249,7 +249,7 @@ test('choosing a measure again restores the same picture', looks, async ({ page 
   await expect(page.getByLabel('Colours from')).toHaveValue('0');
   expect(differingBytes(await middleOfPicture(page), before[1])).toBeGreaterThan(2000);
   const viridis = await middleOfPicture(page);
-  for (const other of ['Diverging', 'Grey']) {
+  for (const other of ['Cividis', 'Diverging', 'Grey']) {
     await map.selectOption(other);
     expect(differingBytes(await middleOfPicture(page), viridis)).toBeGreaterThan(2000);
   }
@@ -294,6 +294,25 @@ test(
   },
 );
 
+test('the legend tells the sides of a face, and can be put away', async ({ page }) => {
+  await openPage(page);
+  const legend = page.locator('#legend');
+  await expect(legend.getByText('back of a face')).toBeVisible();
+  await showStep(page, 'Check');
+  const map = page.getByLabel('Colour map', { exact: true });
+  await map.selectOption('Viridis');
+  // Values have their colours on both sides.
+  await expect(legend.getByText('back of a face')).toBeHidden();
+  await map.selectOption('Beyond tolerance');
+  await page.getByLabel('Legend of the colours').uncheck();
+  await expect(legend).toBeHidden();
+  // The status bar has its numbers.
+  await expect(page.locator('#numbers').getByText('worst panel')).toBeVisible();
+  await page.getByLabel('Legend of the colours').check();
+  await legend.getByRole('button', { name: 'Close the legend' }).click();
+  await expect(legend).toBeHidden();
+});
+
 test('errors are in the unit of the tolerance, beside how far the mesh moved', async ({ page }) => {
   await openPage(page);
   const scene = {
@@ -316,7 +335,7 @@ test('errors are in the unit of the tolerance, beside how far the mesh moved', a
   const inRow = row.getByText(/^worst \d+ mm/);
   await expect(inRow).toHaveCount(1);
   await expect(inRow).toBeHidden();
-  await expect(row).toContainText('beyond 1 mm');
+  await expect(row).toContainText('beyond tolerance');
   await expect(legend).not.toContainText('Moved');
   // The tolerance is a tick on the colours, and moves along them.
   const tick = legend.locator('.tick');

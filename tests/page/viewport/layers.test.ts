@@ -35,3 +35,19 @@ test('of what is marked, the view shows the first cause that lasts', () => {
   actions.tint('unmet', null);
   assert.deepEqual(marked(), [0]);
 });
+
+test('an audience sees no handles', () => {
+  const store = createStore();
+  const [[, show]] = LAYERS.filter(([keys]) => keys.includes('presenting'));
+  const shown = () => {
+    let handles: number[] = [];
+    const setHandles = (those: Uint32Array) => (handles = [...those]);
+    show({ setHandles } as never, store.get(), null);
+    return handles;
+  };
+  const handles = [{ vertex: 4, target: [0, 0, 1], fixed: false, weight: 1 }];
+  store.set({ document: { handles } as never });
+  assert.deepEqual(shown(), [4]);
+  store.set({ presenting: true });
+  assert.deepEqual(shown(), []);
+});

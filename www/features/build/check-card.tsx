@@ -21,7 +21,7 @@ export function CheckCard({ parts, makePanels }: { parts: Parts; makePanels: Mak
   const card = parts.card.value;
   if (!card) return null;
   const { report, words } = card;
-  const { suggestions, otherwise } = report.tighten;
+  const { suggestions, otherwise, change } = report.tighten;
   /** The suggestion that suits the panels. */
   const at = suggestions.findIndex(({ constraint }) =>
     model?.panels.some(({ kind, reason }) => kind === constraint && !reason),
@@ -40,16 +40,22 @@ export function CheckCard({ parts, makePanels }: { parts: Parts; makePanels: Mak
       </ul>
       <div class="tighten">
         <Button
+          class={at < 0 || isFixed ? 'bordered' : 'primary'}
           aria-describedby="tighten-reason"
           disabled={at < 0 || isFixed}
           title={isFixed ? LOCKED : ''}
           onClick={tighten}
         >
-          Tighten
+          Meet the limits
         </Button>
         <p class="quiet" id="tighten-reason">
           {words.suggestions[at] ?? otherwise}
         </p>
+        {at < 0 && change && (
+          <Button onClick={() => parts.change({ [change.setting]: change.value })}>
+            {change.label}
+          </Button>
+        )}
       </div>
       <p class="quiet">{words.offset}</p>
       {report.problems.map((problem) => (

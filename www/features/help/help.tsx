@@ -12,6 +12,7 @@ import { CTRL, keyName, singleKeys } from '../../ui/keys.ts';
 import { copyText } from '../../ui/output.ts';
 import { INTERFACES } from '../../viewport/graphics-card.ts';
 import { MOUSE_WORDS } from '../../viewport/input/mouse.ts';
+import { TERMS } from './terms.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
 import type { FileFormat } from '../../pkg/engine/shape_up.js';
@@ -31,7 +32,7 @@ const pointer = (mouse: State['mouse']): [string, string][] => [
   ],
   ['Other buttons', `${MOUSE_WORDS[mouse]} (the menu Views has other settings)`],
   ['Right click', 'open the menu; so does a long press'],
-  ['Wheel, pinch', 'zoom to the cursor'],
+  ['Wheel, pinch', 'zoom to the cursor; with Alt, the wheel changes the radius of the brush'],
   ['Two fingers', 'pan and zoom'],
   ['Hold Reset', 'show the original as long as it is held'],
   ['Type a number', '1.5, 1/3, 20 cm in a field of a length, +0.5 to add'],
@@ -105,6 +106,11 @@ function Help({ close }: InDialog) {
         <Keys title="What a constraint requires">
           {REQUIRED.map(([what, effect]) => (
             <Row key={what} term={what} effect={effect} />
+          ))}
+        </Keys>
+        <Keys title="Words">
+          {TERMS.map(([what, meaning]) => (
+            <Row key={what} term={what} effect={meaning} />
           ))}
         </Keys>
         {groups.map((group) => (

@@ -5,12 +5,14 @@
 
 import './make-panels.css';
 import type { ComponentChildren } from 'preact';
+import { nextStep } from '../../store/next-step.ts';
 import { LOCKED, isLocked, offersPanels, panelsCard } from '../../store/panels-card.ts';
 import { CommandButton } from '../../store/command-button.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button } from '../../ui/components/buttons.tsx';
 import { Drawing } from '../../ui/kinds/drawing.tsx';
 import { openEdit } from './edit-dialog.tsx';
+import { NewPanelsButton, SuggestionButton, useForecast, type Forecast } from './forecast.tsx';
 import { makePanels } from './press.ts';
 import type { KindWords } from '../../pkg/engine/shape_up.js';
 
@@ -20,10 +22,16 @@ const REASON = 'make-panels-reason';
 /** The buttons in the step, where they are unless the card over the view has them. */
 export function PanelsInStep() {
   const { state } = useApp().store;
-  if (!offersPanels(state) || panelsCard(state) === 'offer') return null;
+  const isShown = offersPanels(state) && panelsCard(state) !== 'offer';
+  const next = isShown && state.corner !== 'new-panels' ? nextStep(state) : null;
+  const changesMesh = next === 'shape' || next === 'change';
+  // Constraints that are only weighed can be beyond the tolerance, which one press meets.
+  const isNext = changesMesh || next === 'choose';
+  const forecast = useForecast(isNext);
+  if (!isShown) return null;
   return (
     <div id="make-panels" role="group" aria-label="Make panels">
-      <PanelButtons isBelow />
+      <PanelButtons isBelow forecast={isNext ? forecast : null} changesMesh={changesMesh} />
     </div>
   );
 }
@@ -31,28 +39,36 @@ export function PanelsInStep() {
 /**
  * The reasons and the buttons.
  * @param isBelow whether the reasons are below the buttons
- * @param recommended id of the kind that moves the mesh least
+ * @param forecast by which one of the buttons is the next step; null if none is
+ * @param changesMesh whether changes of the mesh are offered that reduce the move
  * @param between the reasons and the buttons
- * @param before the first button
  * @param children after the last button
  */
 export function PanelButtons({
   isBelow = false,
-  recommended,
+  forecast,
+  changesMesh,
   between,
-  before,
   children,
 }: {
   isBelow?: boolean;
-  recommended?: string;
+  forecast: Forecast | null;
+  changesMesh: boolean;
   between?: ComponentChildren;
-  before?: ComponentChildren;
   children?: ComponentChildren;
 }) {
   const { kinds, model } = useApp().store.state;
   const reasonOf = new Map(model?.panels.map(({ kind, reason }) => [kind, reason]));
   // Kinds are listed from the weakest to the strongest requirement; here the strongest comes first.
   const offered = kinds.filter((kind) => kind.panels !== null && reasonOf.has(kind.id)).reverse();
+  const possible = offered.filter(({ id }) => !reasonOf.get(id));
+  /** A change of the mesh that helps comes before the shape, which is known once the forecast is. */
+  const change = changesMesh ? forecast : null;
+  const isChanged = Boolean(change?.newPanelsHelp || change?.suggestion);
+  const best =
+    forecast && forecast.found !== undefined && !isChanged
+      ? (possible.find(({ id }) => id === forecast.found?.recommended) ?? possible.at(0))
+      : undefined;
   const reasons = new Set(offered.map(({ id }) => reasonOf.get(id)).filter(Boolean));
   const suggestion = model?.panelSuggestion;
   const words = suggestion ? suggestion.words : [...reasons].join(' ');
@@ -66,19 +82,20 @@ export function PanelButtons({
       {!isBelow && why}
       {between}
       <div>
-        {before}
+        {change && <NewPanelsButton isShown={change.newPanelsHelp} isNext />}
         {suggestion ? (
-          <ChangeFirst {...suggestion} />
+          <ChangeFirst {...suggestion} isNext={change !== null && !isChanged} />
         ) : (
           offered.map((kind) => (
             <KindButton
               key={kind.id}
               kind={kind}
               reason={reasonOf.get(kind.id) ?? ''}
-              isRecommended={kind.id === recommended}
+              isNext={kind === best}
             />
           ))
         )}
+        {change && <SuggestionButton suggestion={change.suggestion} isNext />}
         {children}
       </div>
       {isBelow && why}
@@ -89,17 +106,17 @@ export function PanelButtons({
 function KindButton({
   kind,
   reason,
-  isRecommended,
+  isNext,
 }: {
   kind: KindWords;
   /** why it is not possible, if it is not */
   reason: string;
-  isRecommended: boolean;
+  isNext: boolean;
 }) {
   const app = useApp();
   return (
     <Button
-      class={isRecommended ? 'bordered recommended' : 'bordered'}
+      class={isNext ? 'bordered next' : 'bordered'}
       disabled={Boolean(reason)}
       title={reason || kind.summary}
       style={{ '--chip': `rgb(${kind.colour.join(' ')})` }}
@@ -113,11 +130,20 @@ function KindButton({
 }
 
 /** Changes the mesh, which is needed first. */
-function ChangeFirst({ label, operation }: { label: string; operation: string }) {
+function ChangeFirst({
+  label,
+  operation,
+  isNext,
+}: {
+  label: string;
+  operation: string;
+  isNext: boolean;
+}) {
   const app = useApp();
   const isFixed = isLocked(app.store.state, 'mesh');
   return (
     <Button
+      class={isNext && !isFixed ? 'bordered next' : 'bordered'}
       aria-haspopup="dialog"
       aria-describedby={REASON}
       disabled={isFixed}

@@ -6,45 +6,21 @@
 import './make-panels.css';
 import { useEffect, useRef } from 'preact/hooks';
 import type { ComponentChildren } from 'preact';
+import { nextStep } from '../../store/next-step.ts';
 import { isLocked, panelsCard } from '../../store/panels-card.ts';
 import { performNamed } from '../../store/perform.ts';
 import { useApp } from '../../store/use-app.ts';
-import { useForecastWords } from '../../store/use-forecast-words.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { byId } from '../../ui/dom.ts';
 import { showElements } from '../../viewport/camera.ts';
 import { useCover } from '../../viewport/use-cover.ts';
 import { PanelButtons } from './buttons.tsx';
-import { openEdit } from './edit-dialog.tsx';
+import { NewPanelsButton, SuggestionButton, useForecast, type Forecast } from './forecast.tsx';
 import { makePanels } from './press.ts';
 import { verdicts } from './verdicts.ts';
-import type {
-  ForecastWords,
-  MeshSuggestion,
-  BetterPress,
-  PanelVerdict,
-} from '../../pkg/engine/shape_up.js';
+import type { AppContext } from '../../app/context.ts';
+import type { BetterPress, PanelVerdict } from '../../pkg/engine/shape_up.js';
 import { Sentence } from '../../ui/components/sentence.tsx';
-
-/** How far the mesh will move for one shape of all panels, and what would reduce that. */
-interface Forecast {
-  /** null if there is none, undefined until it is known */
-  found: ForecastWords | null | undefined;
-  /** whether panels along the lines of curvature would help */
-  newPanelsHelp: boolean;
-  /** a simple change of the mesh that would reduce the move, unless new panels are the better choice */
-  suggestion: MeshSuggestion | null;
-}
-
-/** @param isWanted whether it is shown */
-function useForecast(isWanted: boolean): Forecast {
-  const { model, document } = useApp().store.state;
-  const found = useForecastWords(isWanted);
-  const isFixed = isLocked({ document }, 'mesh');
-  const newPanelsHelp = !isFixed && Boolean(model?.newPanels || found?.newPanels);
-  const suggestion = !isFixed && !newPanelsHelp && found ? found.suggestion : null;
-  return { found, newPanelsHelp, suggestion };
-}
 
 /** @param children what is said below the verdict */
 export function PanelsCard({ children }: { children?: ComponentChildren }) {
@@ -85,7 +61,8 @@ function Offer({ forecast }: { forecast: Forecast }) {
   return (
     <Card class="card" data-shows="offer">
       <PanelButtons
-        recommended={found?.recommended}
+        forecast={forecast}
+        changesMesh
         between={
           // It has its place at once: a card that grows moves the model, and what the user does with it.
           <p class="quiet forecast" hidden={found === null}>
@@ -96,9 +73,7 @@ function Offer({ forecast }: { forecast: Forecast }) {
             )}
           </p>
         }
-        before={<NewPanelsButton hidden={!forecast.newPanelsHelp} />}
       >
-        <SuggestionButton forecast={forecast} />
         <button
           type="button"
           aria-haspopup="dialog"
@@ -122,6 +97,8 @@ function Outcome({ forecast, children }: { forecast: Forecast; children: Compone
   const { words, numbers, verdict } = verdicts(app).said.value;
   const level = verdict?.level ?? '';
   const isNotGood = verdict !== null && level !== 'good';
+  const ways = verdict && waysTo(app, verdict, forecast);
+  const isNext = ways !== null && !ways.next && nextStep(app.store.state) === 'choose';
   return (
     <Card class={isNotGood ? 'card warning' : 'card'} data-shows="verdict" data-level={level}>
       <p aria-live={verdict ? 'polite' : 'off'}>
@@ -130,30 +107,46 @@ function Outcome({ forecast, children }: { forecast: Forecast; children: Compone
           <Sentence words={numbers} />
         </span>
       </p>
-      <button ref={hold} type="button" class="bordered">
+      <button ref={hold} type="button" class={classOf(isNext)}>
         Hold to see the original
       </button>
       <CloseCard />
-      {verdict && <Changes verdict={verdict} forecast={forecast} />}
+      {verdict && ways?.isAny && <Changes verdict={verdict} forecast={forecast} ways={ways} />}
       {children}
     </Card>
   );
 }
 
-/** Ways to a better shape, if the verdict asks for any. */
-function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forecast }) {
-  const app = useApp();
-  const { store, actions } = app;
+/** The ways to a better shape that a verdict asks for, and which of them is the next step. */
+function waysTo(app: AppContext, verdict: PanelVerdict, forecast: Forecast) {
+  const { state } = app.store;
   const isLooking = verdicts(app).isLooking.value;
-  const presses = store.state.verdict?.report.suggestions ?? [];
-  const isFixed = isLocked(store.state, 'constraints');
-  const isNotGood = verdict.level !== 'good';
+  const presses = state.verdict?.report.suggestions ?? [];
+  const isFixed = isLocked(state, 'constraints');
   const again = isFixed ? null : verdict.again;
   const isSearched = !isFixed && (isLooking || presses.length > 0);
   const helps = forecast.newPanelsHelp || forecast.suggestion !== null;
-  const changesMesh = !isFixed && isNotGood && helps;
-  if (!verdict.folded && again === null && !isSearched && !changesMesh) return null;
+  const changesMesh = !isFixed && verdict.level !== 'good' && helps;
+  const press = isFixed ? undefined : presses.find(({ recommended }) => recommended);
+  const inTurn = { again: again !== null, press, mesh: changesMesh, folds: verdict.folded > 0 };
+  const possible = (Object.keys(inTurn) as (keyof typeof inTurn)[]).find((way) => inTurn[way]);
+  const next = nextStep(state) === 'choose' ? possible : undefined;
+  const isAny = possible !== undefined || isSearched;
+  return { isLooking, presses, again, isSearched, changesMesh, next, isAny };
+}
 
+/** Ways to a better shape. */
+function Changes({
+  verdict,
+  forecast,
+  ways: { isLooking, presses, again, isSearched, changesMesh, next },
+}: {
+  verdict: PanelVerdict;
+  forecast: Forecast;
+  ways: ReturnType<typeof waysTo>;
+}) {
+  const app = useApp();
+  const { store, actions } = app;
   const kindOf = (id: string) => store.get().kinds.find((kind) => kind.id === id);
   /** Makes the panels again from the original, within the tolerance that is shown. */
   function makeAgain() {
@@ -172,15 +165,21 @@ function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forec
   return (
     <div class="changes">
       {verdict.folded > 0 && (
-        <Button onClick={() => actions.begin(showFolds())}>Show the folds</Button>
+        <Button class={classOf(next === 'folds')} onClick={() => actions.begin(showFolds())}>
+          Show the folds
+        </Button>
       )}
-      {again !== null && <Button onClick={makeAgain}>{again}</Button>}
+      {again !== null && (
+        <Button class={classOf(next === 'again')} onClick={makeAgain}>
+          {again}
+        </Button>
+      )}
       {isSearched && (
         <div class="better" role="group" aria-label="Suggestions">
           {presses.map((press) => (
             <Button
               key={press.id}
-              class={press.recommended ? 'bordered recommended' : 'bordered'}
+              class={classOf(next === 'press' && press.recommended)}
               onClick={() => choose(press)}
             >
               <Sentence words={`${press.label}: ${press.words}`} />
@@ -189,50 +188,17 @@ function Changes({ verdict, forecast }: { verdict: PanelVerdict; forecast: Forec
           {isLooking && <p class="quiet">Looking for suggestions …</p>}
         </div>
       )}
-      {changesMesh && <NewPanelsButton hidden={!forecast.newPanelsHelp} />}
-      {changesMesh && <SuggestionButton forecast={forecast} />}
+      {changesMesh && (
+        <>
+          <NewPanelsButton isShown={forecast.newPanelsHelp} isNext={next === 'mesh'} />
+          <SuggestionButton suggestion={forecast.suggestion} isNext={next === 'mesh'} />
+        </>
+      )}
     </div>
   );
 }
 
-/** Lays out panels along the lines of curvature, on the original shape. */
-function NewPanelsButton({ hidden }: { hidden: boolean }) {
-  const { store, actions } = useApp();
-  async function layOut() {
-    if (store.get().document?.constraints.length) await actions.reset();
-    actions.look({ corner: 'new-panels' });
-  }
-  return (
-    <Button
-      class="bordered suggestion"
-      hidden={hidden}
-      onClick={() => actions.reportErrors(layOut())}
-    >
-      New panels along the curvature
-    </Button>
-  );
-}
-
-/** Opens the operation that reduces the move, on the original shape. */
-function SuggestionButton({ forecast: { suggestion } }: { forecast: Forecast }) {
-  const app = useApp();
-  const { store, actions } = app;
-  async function apply() {
-    if (!suggestion) return;
-    if (store.get().document?.constraints.length) await actions.reset();
-    await openEdit(app, suggestion.operation);
-  }
-  return (
-    <Button
-      class="bordered suggestion"
-      aria-haspopup="dialog"
-      hidden={!suggestion}
-      onClick={() => actions.reportErrors(apply())}
-    >
-      {suggestion?.label}
-    </Button>
-  );
-}
+const classOf = (isNext: boolean) => (isNext ? 'bordered next' : 'bordered');
 
 function CloseCard() {
   const { actions } = useApp();

@@ -9,7 +9,10 @@ import { Button } from '../../ui/components/buttons.tsx';
 import type { Slide } from '../../pkg/engine/shape_up.js';
 
 /** Actions of keys, including presenter remotes. */
-const KEYS: Record<string, 'next' | 'previous' | 'first' | 'last' | 'dark' | 'run' | 'end'> = {
+const KEYS: Record<
+  string,
+  'next' | 'previous' | 'first' | 'last' | 'dark' | 'title' | 'run' | 'end'
+> = {
   ArrowRight: 'next',
   ArrowDown: 'next',
   PageDown: 'next',
@@ -22,6 +25,7 @@ const KEYS: Record<string, 'next' | 'previous' | 'first' | 'last' | 'dark' | 'ru
   End: 'last',
   b: 'dark',
   '.': 'dark',
+  t: 'title',
   ' ': 'run',
   Escape: 'end',
 };
@@ -41,6 +45,8 @@ function Presentation() {
   /** Undo may remove steps. */
   const at = useComputed(() => Math.max(Math.min(asked.value, stepsNow().length - 1), 0));
   const isDark = useSignal(false);
+  /** Whether the title and the text lie over the view. */
+  const isTitled = useSignal(true);
   const nextButton = useRef<HTMLButtonElement>(null);
   const steps = stepsNow();
   const step: Slide | undefined = steps[at.value];
@@ -67,6 +73,9 @@ function Presentation() {
     dark: () => {
       isDark.value = !isDark.value;
     },
+    title: () => {
+      isTitled.value = !isTitled.value;
+    },
     run: () => actions.runOrPause(),
     end,
   };
@@ -81,7 +90,7 @@ function Presentation() {
     if (!what) return;
     event.preventDefault();
     event.stopPropagation();
-    const isHeld = event.repeat && (what === 'dark' || what === 'run');
+    const isHeld = event.repeat && ['dark', 'title', 'run'].includes(what);
     if (!isHeld) void done[what]();
   }
 
@@ -108,7 +117,7 @@ function Presentation() {
 
   return (
     <section id="stage" aria-label="Presentation" data-dark={isDark.value ? '' : undefined}>
-      <div class="said">
+      <div class="said" hidden={!isTitled.value}>
         <h2>{step?.title}</h2>
         {step?.text && <p>{step.text}</p>}
       </div>
@@ -126,6 +135,13 @@ function Presentation() {
         >
           Next
         </button>
+        <Button
+          title="Show or hide the title (T)"
+          aria-pressed={isTitled.value}
+          onClick={done.title}
+        >
+          Title
+        </Button>
         <Button onClick={end}>End</Button>
       </div>
     </section>

@@ -61,7 +61,7 @@ function StepsDialog({ close }: InDialog) {
       <p class="quiet" aria-live="polite">
         {steps.length === 0
           ? 'No steps yet. A step keeps the view, the measure and the weights as they are when it is added.'
-          : `${count(steps.length, 'step')}, saved in the scene. Keys: → and ← or a presenter, B darkens, Space runs, Esc ends.`}
+          : `${count(steps.length, 'step')}, saved in the scene. Keys: → and ← or a presenter, B darkens, T hides the title, Space runs, Esc ends.`}
       </p>
       <ol class="steps">
         {steps.map((step, i) => (

@@ -1,11 +1,11 @@
 /** The commands of the Select tool: box, lasso and brush, and selecting hidden elements. */
 
+import { resizedBrush } from '../../store/selection.ts';
 import type { AppContext, Command } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
 
-/** Factor of the brush keys; minimum and maximum radius of the brush in CSS pixels. */
+/** Factor of the brush keys. */
 const BRUSH_FACTOR = 1.25;
-const BRUSH = [4, 120];
 
 export function selectCommands({ store, actions }: AppContext): Command[] {
   const shape = (id: State['shape'], label: string, key: string, title: string) => ({
@@ -23,10 +23,7 @@ export function selectCommands({ store, actions }: AppContext): Command[] {
     label,
     keys: [key],
     repeats: true,
-    action: () => {
-      const radius = Math.round(store.get().brush * factor);
-      actions.look({ brush: Math.min(Math.max(radius, BRUSH[0]), BRUSH[1]) });
-    },
+    action: () => actions.look({ brush: resizedBrush(store.get().brush, factor) }),
   });
   return [
     shape(

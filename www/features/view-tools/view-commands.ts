@@ -5,6 +5,8 @@
 
 import { ViewHistory } from './view-history.ts';
 import { ViewTools } from './view-tools.ts';
+import { MOUSE_SETTINGS } from '../../store/state.ts';
+import { MOUSE_NAMES } from '../../viewport/input/mouse.ts';
 import { stopTurning, turnSlowly } from '../../viewport/camera.ts';
 import type { AppContext, Command } from '../../app/context.ts';
 import type { State } from '../../store/state.ts';
@@ -20,12 +22,28 @@ const VIEWS = [
   ['isometric', 'Numpad0'],
 ];
 
+/** Maximum number of kept views. */
+const MOST_VIEWS = 9;
+
 export function viewCommands(app: AppContext): Command[] {
   const { store, actions } = app;
   const tools = new ViewTools(app);
   const history = new ViewHistory(app);
   const enabled = ({ renderer }: State) => renderer !== 'none';
   const { element } = app.viewport;
+
+  function keepView() {
+    const camera = app.viewport.with((view) => {
+      app.viewport.arrive();
+      return [...view.camera()];
+    });
+    if (!camera) return;
+    const { parallel, views } = store.get();
+    const taken = views.map(({ name }) => Number(name.replace(/\D/g, '')));
+    const name = `View ${Math.max(0, ...taken) + 1}`;
+    actions.look({ views: [...views, { name, camera, parallel }], status: `${name} is kept` });
+  }
+
   for (const event of ['pointerdown', 'wheel', 'keydown'])
     element.addEventListener(event, () => stopTurning(app.viewport), {
       capture: true,
@@ -112,5 +130,21 @@ export function viewCommands(app: AppContext): Command[] {
       needsModel: true,
       enabled,
     },
+    {
+      id: 'keep-view',
+      group: 'View',
+      label: 'Keep this view',
+      keys: [],
+      action: keepView,
+      enabled: (state: State) => enabled(state) && state.views.length < MOST_VIEWS,
+    },
+    ...MOUSE_SETTINGS.map((mouse) => ({
+      id: `mouse-${mouse}`,
+      group: 'View',
+      label: `Mouse as ${MOUSE_NAMES[mouse]}`,
+      keys: [],
+      action: () => actions.chooseMouse(mouse),
+      pressed: ({ mouse: now }: State) => now === mouse,
+    })),
   ];
 }

@@ -75,25 +75,11 @@ function MouseChoice() {
   );
 }
 
-/** Maximum number of kept views. */
-const MOST = 9;
-
 /** The views that the user has kept: the camera of each, saved with the model. */
 function KeptViews() {
   const { store, actions, viewport } = useApp();
   const { views } = store.state;
 
-  function keepView() {
-    const camera = viewport.with((view) => {
-      viewport.arrive();
-      return [...view.camera()];
-    });
-    if (!camera) return;
-    const { parallel } = store.get();
-    const taken = views.map(({ name }) => Number(name.replace(/\D/g, '')));
-    const name = `View ${Math.max(0, ...taken) + 1}`;
-    actions.look({ views: [...views, { name, camera, parallel }], status: `${name} is kept` });
-  }
   function show({ name, camera, parallel }: State['views'][number]) {
     actions.look({ parallel, status: name });
     fly(viewport, (view) => view.placeCamera(Float64Array.from(camera)));
@@ -101,9 +87,9 @@ function KeptViews() {
 
   return (
     <div class="kept-views" role="group" aria-label="Kept views">
-      <button type="button" disabled={views.length >= MOST} onClick={keepView}>
+      <CommandButton of="keep-view" class="">
         Keep this view
-      </button>
+      </CommandButton>
       <ul>
         {views.map((kept) => (
           <li key={kept.name}>

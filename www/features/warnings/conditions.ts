@@ -112,6 +112,7 @@ class Conditions {
     const helping = suggestions.slice(0, MOST_SUGGESTIONS).map(({ label, edit, worst }) => ({
       label: `${label}: worst ${length(worst, scene.units, scene.tolerance)}`,
       title: 'The largest distance after this change',
+      changes: true,
       act: () => this.#take(edit),
     }));
     const waits =

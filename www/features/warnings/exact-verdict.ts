@@ -126,6 +126,7 @@ export class ExactVerdict {
         {
           label: 'Make exact',
           title: 'Replaces the shape by the exact one',
+          changes: true,
           act: take,
         },
       ],
@@ -148,6 +149,7 @@ export class ExactVerdict {
     const rows = store.get().document?.constraints ?? [];
     const suggestions = (isFixed ? [] : words.suggestions).map(({ label, index, within }) => ({
       label,
+      changes: true,
       act: () => actions.exact.require(rows[index], within === null ? 'soft' : { within }),
     }));
     this.#messages.say({

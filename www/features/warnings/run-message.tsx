@@ -4,6 +4,7 @@ import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
 import { byId } from '../../ui/dom.ts';
 import { useCover, useNarrow } from '../../viewport/use-cover.ts';
+import { nextStep } from '../../store/next-step.ts';
 import { panelsCard } from '../../store/panels-card.ts';
 import { conditions } from './conditions.ts';
 import type { Message } from './run-messages.ts';
@@ -26,7 +27,8 @@ export function RunMessage({ isOnCard = false }) {
 }
 
 function Notice({ message }: { message: Message }) {
-  const { messages } = conditions(useApp());
+  const app = useApp();
+  const { messages } = conditions(app);
   // The model is framed beside a verdict; other messages move no camera.
   const place = useCover<HTMLDivElement>(
     useNarrow() ? 'bottom' : 'top',
@@ -35,18 +37,22 @@ function Notice({ message }: { message: Message }) {
   );
   return (
     <div ref={place} class="suggestions message notice" role="group" aria-label="Verdict">
-      <Content message={message} />
+      <Content message={message} isNext={nextStep(app.store.state) === 'choose'} />
       <CloseButton label="Dismiss the verdict" onClick={() => messages.withdraw()} />
     </div>
   );
 }
 
+/** @param props.isNext whether one of its offers is the next step */
 function Content({
   message: { result = '', words, numbers, offers = [], waits },
+  isNext = false,
 }: {
   message: Message;
+  isNext?: boolean;
 }) {
   const { messages } = conditions(useApp());
+  const next = isNext ? (offers.find(({ changes }) => changes) ?? offers.at(0)) : undefined;
   return (
     <>
       <p>
@@ -58,17 +64,17 @@ function Content({
           </span>
         )}
       </p>
-      {offers.map(({ label, title, stays, act }) => (
+      {offers.map((offer) => (
         <Button
-          key={label}
-          class="small bordered"
-          title={title}
+          key={offer.label}
+          class={offer === next ? 'small bordered next' : 'small bordered'}
+          title={offer.title}
           onClick={() => {
-            if (!stays) messages.withdraw();
-            act();
+            if (!offer.stays) messages.withdraw();
+            offer.act();
           }}
         >
-          {label}
+          {offer.label}
         </Button>
       ))}
       {waits && <p class="quiet">{waits}</p>}

@@ -9,6 +9,8 @@ export interface Offer {
   label: string;
   title?: string;
   stays?: boolean;
+  /** whether it changes what was solved, instead of showing it */
+  changes?: boolean;
   act: () => unknown;
 }
 

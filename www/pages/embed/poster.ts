@@ -3,7 +3,7 @@
 import { readLink } from '../../documents/share-link.ts';
 import { exampleOf, listOfExamples } from '../../solver/examples.ts';
 import { messageOf } from '../../solver/errors.ts';
-import { sceneOf } from '../../solver/scene-text.ts';
+import { sceneOf, type SceneText } from '../../solver/scene-text.ts';
 import { byId, setText } from '../../ui/dom.ts';
 import { drawShape } from '../../ui/plot/thumbnail.ts';
 import { PRESSED } from '../../ui/embedded.ts';
@@ -31,18 +31,26 @@ function start(embed = '') {
   location.replace(`./?${options}${hash}`);
 }
 
-/** Draws the mesh of a scene, before it is solved. */
+/** Draws the mesh of a scene as it is in the text, which is seldom solved. */
 function showScene(text: string | null, name: string) {
   setText(byId('title'), name);
   if (!text) return;
-  const { mesh, up = 'z' } = sceneOf(text);
-  const faces = mesh.faces ?? [];
+  const { mesh, current, up = 'z' } = sceneOf(text);
+  const drawn = drawnOf(mesh);
   let end = 0;
-  const faceOffsets = Uint32Array.from([0, ...faces.map(({ length }) => (end += length))]);
+  const faceOffsets = Uint32Array.from([0, ...drawn.map(({ length }) => (end += length))]);
   const drawing = byId<HTMLCanvasElement>('drawing');
-  drawing.hidden = faces.length === 0;
-  const faceIndices = Uint32Array.from(faces.flat());
-  drawShape(drawing, { faceOffsets, faceIndices }, mesh.positions.flat(), { up });
+  drawing.hidden = drawn.length === 0;
+  const faceIndices = Uint32Array.from(drawn.flat());
+  drawShape(drawing, { faceOffsets, faceIndices }, (current ?? mesh.positions).flat(), { up });
+}
+
+/** What is drawn of a mesh, each by its corners: faces and segments of curves, or else the points. */
+function drawnOf({ faces = [], tets = [], curves = [], positions }: SceneText['mesh']) {
+  const ofTets = tets.flatMap((tet) => tet.map((_, left) => tet.filter((_, k) => k !== left)));
+  const segments = curves.flatMap((curve) => curve.slice(1).map((to, k) => [curve[k], to]));
+  const drawn = [...faces, ...ofTets, ...segments];
+  return drawn.length > 0 ? drawn : positions.map((_, point) => [point]);
 }
 
 /** @param pose in which Start opens it */

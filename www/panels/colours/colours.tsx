@@ -1,4 +1,4 @@
-/** What colours the faces, and its tolerance. */
+/** What colours the faces, and the limit of a measure to which the tolerance does not apply. */
 
 import { declared, shownUnit, toleranceOf } from '../../store/colours/measures.ts';
 import { useApp } from '../../store/use-app.ts';
@@ -14,12 +14,6 @@ export function Colours() {
   const about = declared(state, state.measure);
   const allowed = about && toleranceOf(state, about);
   const options = state.measures.map(({ id, label }) => [id, label] as const);
-
-  function setTolerance(value: number | null) {
-    if (about?.toleranced) return actions.edit({ setTolerance: { tolerance: value } });
-    return about && actions.setToleranceOf(about.id, value);
-  }
-
   return (
     <>
       <div class="field-row">
@@ -31,20 +25,22 @@ export function Colours() {
           onChoose={(measure) => actions.colourBy(measure || null)}
         />
       </div>
-      {about && !about.signed && state.model?.faces ? (
+      {about && !about.signed && !about.toleranced && state.model?.faces ? (
         <div class="field-row">
-          <label for="tolerance">Tolerance</label>
+          <label for="limit" title="The largest value that is counted as within">
+            Limit
+          </label>
           <span class="with-unit">
             <AmountField
               key={about.id}
-              id="tolerance"
+              id="limit"
               unit={about.unit === 'length' ? unit.symbol : ''}
               placeholder="none"
               value={allowed ? allowed * unit.factor : null}
               shown={allowed ? brief(allowed * unit.factor) : ''}
               isPositive
-              onAmount={(value) => setTolerance(value / unit.factor)}
-              onEmpty={() => setTolerance(null)}
+              onAmount={(value) => actions.setToleranceOf(about.id, value / unit.factor)}
+              onEmpty={() => actions.setToleranceOf(about.id, null)}
             />
             <span class="quiet">{unit.symbol}</span>
           </span>

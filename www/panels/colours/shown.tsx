@@ -15,10 +15,10 @@ const SWITCHES = {
   shapes: 'Best-fitting shapes',
   outlines: 'Outlines of the best fit',
   arrows: 'Arrows to the best fit',
-  ghost: 'Ghost of the original',
   ground: 'Ground grid',
   bands: 'Colours in bands',
   gizmo: 'Arrows at handles',
+  legend: 'Legend of the colours',
   timings: 'Timings',
 };
 
@@ -49,7 +49,7 @@ const MAPS = [
   [BEYOND, 'Beyond tolerance', 'Only faces beyond the tolerance are coloured'],
   ['viridis', 'Viridis', 'All faces are coloured'],
   ['cividis', 'Cividis', 'All faces are coloured, the same with red-green blindness'],
-  ['turbo', 'Turbo', 'All faces are coloured; not readable with red-green blindness'],
+  ['turbo', 'Turbo, not colour-blind safe', 'All faces are coloured'],
   ['diverging', 'Diverging', 'Blue within the tolerance, red beyond it'],
   ['grey', 'Grey', 'All faces in shades of grey, for print'],
 ] as const;
@@ -109,14 +109,6 @@ function Range() {
         >
           Fit range
         </Button>
-        {!about.signed && (
-          <Checkbox
-            label="Log scale"
-            title="Equal ratios have equal lengths on the scale"
-            checked={display.log}
-            onCheck={(log) => actions.display({ log })}
-          />
-        )}
       </div>
       {/* They have their own map. */}
       {!about.signed && (

@@ -244,9 +244,9 @@ function Worst({ row }: { row: ConstraintRow }) {
   const isWithin = unmet ? !unmet.includes(row.index) : value <= allowed;
   const { eased } = row;
   const others = eased && value > allowed ? `, some within ${limit(eased.within, units)}` : '';
-  // The row says what it requires.
+  // The row says what it requires, and the field above the tolerance.
   const compared = isSoft
-    ? `${isWithin ? 'within' : 'beyond'} ${limit(allowed, units)}`
+    ? `${isWithin ? 'within' : 'beyond'} tolerance`
     : isWithin
       ? `satisfied${others}`
       : 'not satisfied';

@@ -5,6 +5,7 @@ import { areHandlesLocked, draggableInWords } from '../../store/handles.ts';
 import { sizeOfSelection } from '../../store/selection.ts';
 import { CommandButton } from '../../store/command-button.tsx';
 import { useApp } from '../../store/use-app.ts';
+import { Button } from '../../ui/components/buttons.tsx';
 import { count, groupDigits } from '../../ui/words.ts';
 import { SelectedHandles } from './selected.tsx';
 import type { Document as SceneDocument } from '../../pkg/engine/shape_up.js';
@@ -15,7 +16,8 @@ export function Handles() {
   const { document } = state;
   return (
     <>
-      <p class="quiet">{document && wordsFor(document, state) + automatic(document)}</p>
+      <p class="quiet">{document && wordsFor(document, state)}</p>
+      {document && <Automatic scene={document} />}
       <HandleButtons />
       <SelectedHandles />
     </>
@@ -35,13 +37,26 @@ function wordsFor(scene: SceneDocument, state: Readonly<State>) {
   return `${count(all, 'handle')}${share}.${one && ` Drag ${one} in the view.`}`;
 }
 
-/** Says which vertices are fixed without handles. */
-function automatic({ pinned, constraints }: SceneDocument) {
+/** Says which vertices are fixed without handles, and makes them handles. */
+function Automatic({ scene }: { scene: SceneDocument }) {
+  const { actions } = useApp();
+  const { pinned, constraints } = scene;
   // Without constraints nothing moves, so pinned vertices do not matter.
-  if (pinned.length === 0 || constraints.length === 0) return '';
-  return pinned.length === 1
-    ? ' 1 vertex is fixed automatically, because nothing else holds that part. Add a handle to hold it where you want.'
-    : ` ${groupDigits(pinned.length)} vertices are fixed automatically, because nothing else holds those parts. Add handles to hold them where you want.`;
+  if (pinned.length === 0 || constraints.length === 0) return null;
+  const [are, parts, make] =
+    pinned.length === 1
+      ? ['vertex is', 'that part', 'Make it a handle']
+      : ['vertices are', 'those parts', 'Make them handles'];
+  return (
+    <p class="quiet">
+      {`${groupDigits(pinned.length)} ${are} fixed automatically, because nothing else holds ${parts}. `}
+      {!areHandlesLocked(scene) && (
+        <Button class="small bordered" onClick={() => actions.addHandles([...pinned], false)}>
+          {make}
+        </Button>
+      )}
+    </p>
+  );
 }
 
 /** What can be done with the selected vertices. */

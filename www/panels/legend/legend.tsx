@@ -14,6 +14,8 @@ import {
 } from '../../store/colours/measures.ts';
 import { isDrawn } from '../../store/state.ts';
 import { useApp } from '../../store/use-app.ts';
+import { CloseButton } from '../../ui/components/buttons.tsx';
+import { Checkbox } from '../../ui/components/fields.tsx';
 import { Bars, Outline } from '../../ui/components/histogram.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { isEmbedded } from '../../ui/embedded.ts';
@@ -30,9 +32,9 @@ import type { Loaded } from '../../solver/types.ts';
 const strip = matchMedia('(min-width: 700px) and (max-height: 480px)');
 
 export function Legend() {
-  const { store, viewport } = useApp();
+  const { store, actions, viewport } = useApp();
   const { state } = store;
-  const { spread, model } = state;
+  const { spread, model, display } = state;
   const place = useRef<HTMLDivElement>(null);
   useEffect(() => {
     const box = place.current;
@@ -45,11 +47,15 @@ export function Legend() {
 
   const about = inLegend(state);
   return (
-    <div id="legend" ref={place} hidden={!about || !isDrawn(state)}>
+    <div id="legend" ref={place} hidden={!about || !display.legend || !isDrawn(state)}>
       {about && (
         <div class="title">
           <span title={about.words}>{about.label}</span>
           {spread && <Within about={about} spread={spread} />}
+          <CloseButton
+            label="Close the legend"
+            onClick={() => actions.display({ legend: false })}
+          />
         </div>
       )}
       {about && model && spread && <Values about={about} spread={spread} model={model} />}
@@ -75,9 +81,10 @@ function Within({ about, spread }: Of) {
 }
 
 function Values({ about, spread, model }: Of & { model: Loaded }) {
-  const { state } = useApp().store;
+  const { store, actions } = useApp();
+  const { state } = store;
   const background = useBackground();
-  const { range, document } = state;
+  const { range, document, display } = state;
   const ramp = useRef<HTMLDivElement>(null);
   const allowed = toleranceOf(state, about);
   const rounding = model.roundings[about.id];
@@ -115,6 +122,20 @@ function Values({ about, spread, model }: Of & { model: Loaded }) {
         {hasWorst(about) && `${about.signed ? 'Greatest' : 'Worst'} ${worst}\n`}
         <Moved />
       </p>
+      {/* Where all faces are coloured, both sides have the colour of the value. */}
+      {allowed !== null && !display.full && (
+        <p class="quiet summary sides">
+          <i class="front" /> front <i class="back" /> back of a face
+        </p>
+      )}
+      {!about.signed && (
+        <Checkbox
+          label="Log scale"
+          title="Equal ratios have equal lengths on the scale"
+          checked={display.log}
+          onCheck={(log) => actions.display({ log })}
+        />
+      )}
     </>
   );
 }

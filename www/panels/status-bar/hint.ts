@@ -15,10 +15,12 @@ export function hintOf(state: Readonly<State>) {
   const { kinds, model, document, tool, shape, mode, selection, dragged, display } = state;
   if (!model || !document) return '';
   if (dragged.length > 0) return 'Release to place it · Esc cancels';
-  const next = nextStep(state);
+  // A docked panel has a next step of its own.
+  const next = state.docked ? null : nextStep(state);
   const panels = kinds.flatMap((kind) => kind.panels ?? []).join(' or ');
   if (next === 'shape') return `Next: make its panels ${panels}, or add a constraint`;
   if (next === 'change') return 'Next: other panels for this mesh, or a constraint';
+  if (next === 'constrain' && state.flatMap) return 'Next: Export, with the flat map';
   if (next === 'constrain') return 'Next: add a constraint to say what shape its parts shall have';
   const isLocked = areHandlesLocked(document);
   const one = draggableInWords(state);

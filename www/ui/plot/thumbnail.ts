@@ -1,10 +1,15 @@
-/** Thumbnails of shapes: faces from far to near, shaded, and coloured by displacement. */
+/**
+ * Thumbnails of shapes: faces from far to near, shaded, and coloured by displacement. What has one corner
+ * is a dot, and what has two a line.
+ */
 
 import { colourOf } from '../dom.ts';
 import type { Connectivity } from '../../solver/types.ts';
 
 /** Canvas pixels per CSS pixel. */
 const DENSITY = 2;
+/** The width of seams and of lines, and the radius of dots, in canvas pixels. */
+const [SEAM, LINE, DOT] = [DENSITY / 4, 1.5 * DENSITY, 2 * DENSITY];
 /** The fraction of the picture that the shape fills. */
 const FILLED = 0.92;
 /** The default view direction: rotation about the vertical axis, then elevation, in radians. */
@@ -41,20 +46,22 @@ export function drawShape(
       depths[face] += points[3 * faceIndices[k] + 2] / (end - start);
   }
   const order = Uint32Array.from(depths.keys()).sort((a, b) => depths[a] - depths[b]);
-  context.lineWidth = DENSITY / 4;
   for (const face of order) {
     const corners = faceIndices.subarray(faceOffsets[face], faceOffsets[face + 1]);
+    const isFace = corners.length > 2;
+    context.lineWidth = isFace ? SEAM : LINE;
     const light = 0.55 + 0.45 * facing(points, corners);
     let part = 0;
     if (displacement) for (const v of corners) part += displacement[v] / corners.length;
-    const colour = plain.map((value, c) => light * (value + part * (accent[c] - value)));
+    const shaded = plain.map((value, c) => light * (value + part * (accent[c] - value)));
+    const colour = isFace ? shaded : accent;
     context.fillStyle = context.strokeStyle = `rgb(${colour.map(Math.round).join(' ')})`;
     context.beginPath();
     for (const v of corners) {
-      context.lineTo(
-        canvas.width / 2 + scale * (points[3 * v] - centre[0]),
-        canvas.height / 2 - scale * (points[3 * v + 1] - centre[1]),
-      );
+      const x = canvas.width / 2 + scale * (points[3 * v] - centre[0]);
+      const y = canvas.height / 2 - scale * (points[3 * v + 1] - centre[1]);
+      if (corners.length > 1) context.lineTo(x, y);
+      else context.arc(x, y, DOT, 0, 2 * Math.PI);
     }
     context.closePath();
     context.fill();

@@ -385,6 +385,7 @@ export class PointerInput {
     event.preventDefault();
     if (this.#gesture?.kind === 'handle') return;
     const factor = wheelFactor(event, this.#element.clientHeight);
+    if (event.altKey && this.#region.paints) return this.#region.resize(factor, this.#at(event));
     this.#viewport.with((view) => view.zoom(factor, ...this.#at(event)));
   }
 

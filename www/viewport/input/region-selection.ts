@@ -10,7 +10,7 @@
  * Touching, box and lasso take what they cross in either direction: a finger has no habit of one.
  */
 
-import { NOTHING, select, type Combine } from '../../store/selection.ts';
+import { NOTHING, resizedBrush, select, type Combine } from '../../store/selection.ts';
 import { svgElement } from '../../ui/dom.ts';
 import type { Store } from '../../store/state.ts';
 import type { Viewport } from '../viewport.ts';
@@ -108,6 +108,12 @@ export class RegionSelection {
     this.#brush.setAttribute('cx', String(x));
     this.#brush.setAttribute('cy', String(y));
     this.#brush.setAttribute('r', String(this.#store.get().brush));
+  }
+
+  /** Changes the radius of the brush by a factor. */
+  resize(factor: number, at: Point) {
+    this.#actions.look({ brush: resizedBrush(this.#store.get().brush, factor) });
+    this.hover(at);
   }
 
   hide() {
