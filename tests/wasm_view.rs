@@ -121,6 +121,8 @@ async fn every_switch_changes_the_picture() {
     view.set_edges(&[0, 1, 1, 4]).unwrap();
     view.set_selected_edges(&[1]).unwrap();
     check(view, "selection");
+    view.set_seams(&[3, 4]).unwrap();
+    check(view, "seam");
     view.set_tint(vec![0, 1], vec![0], 0.1, 0.7, 0.2).unwrap();
     check(view, "tint");
     view.set_handles(&[2, 6], &[0, 1], &[2.0, 0.0, 0.5, 0.0, 2.0, 0.0]).unwrap();

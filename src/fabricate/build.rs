@@ -177,7 +177,8 @@ impl Build {
         unit: LengthUnit,
         stand: &Stand,
     ) -> Result<Build, Fault> {
-        settings.check().map_err(|(key, message)| Fault(format!("build.{key}: {message}")))?;
+        (settings.check().and_then(|()| settings.check_edges(mesh)))
+            .map_err(|(key, message)| Fault(format!("build.{key}: {message}")))?;
         let surface = PanelSurface::new(mesh)?;
         let rows = assembly_rows(&surface, stand);
         let (names, are_as_asked) = panel_names(&surface, settings.names, &rows);

@@ -288,7 +288,7 @@ impl Build {
     fn cut_paper(&mut self) {
         let BuildSettings { pieces, print_inside, scale, .. } = self.settings;
         let size = self.paper_size(scale);
-        let model = PaperModel::new(&self.surface, &self.flat, pieces, size);
+        let model = PaperModel::new(&self.surface, &self.flat, pieces, size, &self.settings.seams);
         self.parts = (0..model.pieces.len()).map(|k| drawn(&model, k, print_inside)).collect();
         for &(panel, why) in &model.without {
             let panel = panel as usize;

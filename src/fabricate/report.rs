@@ -50,6 +50,8 @@ pub struct PaperReport {
     pub ridges: usize,
     /// Edges and creases folded to a valley.
     pub valleys: usize,
+    /// Edges that the settings have cut.
+    pub seams: usize,
     /// Glued edges.
     pub tabs: usize,
     /// Edges that are cut and have no tab, by the names of their panels: without room, or without
@@ -409,6 +411,7 @@ impl Build {
         Some(PaperReport {
             ridges: folds(FoldKind::Ridge),
             valleys: folds(FoldKind::Valley),
+            seams: self.settings.seams.len(),
             tabs: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tab(_))).count(),
             without_tab: without_tab.map(|(joint, _)| panels(joint)).chain(beside).collect(),
             unpaired,

@@ -66,7 +66,7 @@ impl<'de> Visitor<'de> for ListVisitor {
     }
 }
 
-struct Index(u32);
+pub(super) struct Index(pub(super) u32);
 
 impl<'de> Deserialize<'de> for Index {
     fn deserialize<D: Deserializer<'de>>(from: D) -> Result<Index, D::Error> {

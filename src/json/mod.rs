@@ -7,9 +7,11 @@
 //! | `error` | an error with its JSON path, from the errors of serde |
 //! | `shape` | repeated keys, only an object, only a word, a word or an object, points |
 //! | `indices` | lists of indices: arrays, or strings of ranges |
+//! | `pairs` | lists of pairs of indices |
 
 mod error;
 pub(crate) mod indices;
+pub(crate) mod pairs;
 mod shape;
 
 pub(crate) use error::{JsonError, push_key};

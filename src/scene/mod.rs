@@ -42,12 +42,12 @@ pub use crate::solve::{
 };
 pub use crate::sparse::Factorization;
 pub(crate) use attempt::AttemptSetting;
-pub(crate) use build::Tiling;
 pub use build::{
     BUILD_PRESETS, BUILD_SETTINGS, BuildForm, BuildGroup, BuildOption, BuildPreset, BuildSetting,
     BuildSettings, BuildUnit, CheckLimits, Dxf, Fold, Names, OffsetKind, Order, Page, Pieces,
     PresetOf, PresetValues, Product,
 };
+pub(crate) use build::{Tiling, ordered};
 pub use closeness::{Closeness, ClosenessWeight, Target};
 pub use document::{
     AttemptStart, ChosenAttempt, ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, MeshSource,

@@ -41,7 +41,14 @@ impl Scene {
         self.check_handles(vertices)?;
         self.check_weighting(mesh)?;
         self.check_pose(vertices)?;
-        self.check_target()
+        self.check_target()?;
+        self.check_build(mesh)
+    }
+
+    /// Checks that the edges among the settings of Build are edges of the mesh.
+    pub(crate) fn check_build(&self, mesh: &Mesh) -> Result<(), SceneError> {
+        let Some(build) = &self.build else { return Ok(()) };
+        build.check_edges(mesh).or_else(|(key, message)| error(&format!("build.{key}"), message))
     }
 
     fn check_variants(&self, vertices: usize) -> Result<(), SceneError> {

@@ -139,7 +139,11 @@ pub fn check_results(results: &Results, scene: Scene, mesh: Mesh) -> Result<Chec
     let mut session = Session::open(measuring, mesh).map_err(of_results)?;
     if goals.iter().any(|goal| matches!(goal.of, GoalOf::Build(_))) {
         let stand = Stand::on(&results.handles, scene.up);
-        let build = scene.build.as_deref().cloned().unwrap_or_default();
+        let mut build = scene.build.as_deref().cloned().unwrap_or_default();
+        if other.is_some() {
+            // They are edges of the mesh of the scene.
+            build.seams = Rc::default();
+        }
         session.set_build_numbers(numbers(&session, &scene.units, &build, &stand));
     }
     let mut measured = session.goals().into_iter();

@@ -1,6 +1,6 @@
 //! `shape-up build`.
 
-use crate::cli::folder::{Folder, ROOF};
+use crate::cli::folder::{Folder, ROOF, scene};
 use shape_up::scene::{BUILD_SETTINGS, BuildForm};
 
 #[test]
@@ -314,6 +314,7 @@ fn every_setting_of_a_scene_is_an_option() {
             BuildForm::Choice { options } => options[options.len() - 1].word.to_owned(),
             BuildForm::Switch => "on".to_owned(),
             BuildForm::Text => "oak".to_owned(),
+            BuildForm::Edges => "0-1".to_owned(),
         };
         folder.run(&["build", "roof.obj", &option, &value]).done();
         if !setting.absent.is_empty() {
@@ -324,10 +325,44 @@ fn every_setting_of_a_scene_is_an_option() {
             BuildForm::Choice { .. } => "none",
             BuildForm::Switch => continue,
             BuildForm::Text => "",
+            BuildForm::Edges => "0-1-2",
         };
         let refused = folder.run(&["build", "roof.obj", &option, wrong]);
         refused.misused(&option);
     }
+}
+
+#[test]
+fn paper_is_cut_along_seams_and_a_seam_that_is_no_edge_is_refused_with_its_path() {
+    let folder = Folder::new("build-seams");
+    folder.write("roof.obj", ROOF);
+    let asked = ["build", "roof.obj", "--product", "paper", "--units=m", "--out", "parts"];
+    let run = |more: &[&str]| folder.run(&[&asked[..], more].concat());
+    assert!(run(&[]).done().contains("1 piece on "));
+    let words = run(&["--seams", "1-4,7-4", "--report", "r.json"]).done();
+    assert!(words.contains("2 pieces on ") && words.contains(", seams 2\n"), "{words}");
+    assert_eq!(folder.json("r.json")["paper"]["seams"], 2);
+    assert!(folder.read("parts/summary.csv").contains("Seams (seams),B1-4 B4-7,"));
+    run(&["--seams", "1-4,0-4"]).refused(&[
+        "roof.obj",
+        "build.seams[1]",
+        "[0, 4]",
+        "ends of an edge",
+    ]);
+    run(&["--seams", "1-4,4-1"]).refused(&["build.seams[1]", "listed twice"]);
+    run(&["--seams", "1-4,B4"]).misused("edges by their vertices, such as 3-4,4-9, or none");
+    // A scene has them, unless others are asked for.
+    let seams = r#", "build": { "product": "paper", "seams": [[1, 4], [7, 4]] }"#;
+    folder.write("roof.json", scene(seams));
+    assert!(folder.run(&["build", "roof.json"]).done().contains("2 pieces on "));
+    let whole = folder.run(&["build", "roof.json", "--seams", "none"]).done();
+    assert!(whole.contains("1 piece on ") && !whole.contains("seams"), "{whole}");
+    folder.write("wrong.json", scene(&seams.replace("[7, 4]", "[8, 4]")));
+    folder.run(&["build", "wrong.json"]).refused(&["wrong.json", "build.seams[1]", "[8, 4]"]);
+    // They go along to another mesh.
+    folder.run(&["refine", "roof.json", "--scheme", "linear", "--out", "fine.json"]).done();
+    assert_eq!(folder.json("fine.json")["build"]["seams"].as_array().map(Vec::len), Some(4));
+    assert!(folder.run(&["build", "fine.json"]).done().contains(", seams 4\n"));
 }
 
 #[test]

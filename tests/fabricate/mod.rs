@@ -18,6 +18,7 @@ mod no_area;
 mod paper;
 mod paper_card;
 mod paper_names;
+mod paper_seams;
 mod picture;
 mod printed;
 mod report_page;

@@ -96,37 +96,37 @@ fn polygons(model: &PaperModel, piece: u32) -> Vec<Vec<Point2>> {
     all
 }
 
+/// Checks that no piece overlaps itself, and that its outline holds its facets and tabs.
+pub(super) fn assert_whole(name: &str, made: &Build) {
+    let model = model(made);
+    assert_eq!(made.parts.len(), model.pieces.len(), "{name}");
+    for (part, &piece) in made.parts.iter().zip(&model.pieces) {
+        let all = polygons(model, piece);
+        for (i, a) in all.iter().enumerate() {
+            for b in &all[..i] {
+                // Panels that count as flat are up to 0.02 mm off; an edge is 30 mm long.
+                let common = common_area(a, b);
+                assert!(common < 0.5, "{name}, {}: {common}", part.name);
+            }
+        }
+        let expected: f64 = all.iter().map(|own| area(own)).sum();
+        let found = area(&part.outline);
+        assert!(
+            (found - expected).abs() < 1e-3 * expected,
+            "{name}, {}: {found} {expected}",
+            part.name
+        );
+        assert!(!crosses_itself(&part.outline), "{name}, {}", part.name);
+    }
+}
+
 #[test]
 fn no_piece_overlaps_itself_and_its_outline_holds_its_facets_and_tabs() {
     let folds = [Fold::Crease, Fold::Score];
     for ((name, mesh, pieces), fold) in cases().iter().flat_map(|own| folds.map(|fold| (own, fold)))
     {
         let own = BuildSettings { scale: scale(mesh), fold, thickness: 1.0, ..settings(*pieces) };
-        let made = build(mesh, &own);
-        let model = model(&made);
-        assert_eq!(made.parts.len(), model.pieces.len(), "{name}");
-        for (part, &piece) in made.parts.iter().zip(&model.pieces) {
-            let all = polygons(model, piece);
-            for (i, a) in all.iter().enumerate() {
-                for b in &all[..i] {
-                    // Panels that count as flat are up to 0.02 mm off; an edge is 30 mm long.
-                    assert!(
-                        common_area(a, b) < 0.5,
-                        "{name}, {}: {}",
-                        part.name,
-                        common_area(a, b)
-                    );
-                }
-            }
-            let expected: f64 = all.iter().map(|own| area(own)).sum();
-            let found = area(&part.outline);
-            assert!(
-                (found - expected).abs() < 1e-3 * expected,
-                "{name}, {}: {found} {expected}",
-                part.name
-            );
-            assert!(!crosses_itself(&part.outline), "{name}, {}", part.name);
-        }
+        assert_whole(name, &build(mesh, &own));
     }
 }
 

@@ -190,6 +190,7 @@ prop_compose! {
                 material,
                 sheet: [100.0 * length + 50.0, 60.0],
                 mirror: flag,
+                seams: (0..kind as u32).map(|k| [k + 1, k]).collect(),
                 dxf: if flag { Dxf::R12 } else { Dxf::R2000 },
                 limits: CheckLimits { lean: length, ..CheckLimits::default() },
                 ..BuildSettings::default()

@@ -29,6 +29,7 @@ mod remesh;
 mod replacing;
 mod saddles;
 mod saved_history;
+mod seams;
 mod search;
 mod selecting;
 mod shown;

@@ -178,4 +178,9 @@ fn an_edge_is_picked_where_it_is_seen_and_marked_by_its_number() {
     state.select_edges(&[2]).unwrap();
     assert_eq!(state.appearance().selected_edges, [[6, 11]]);
     assert!(state.select_edges(&[3]).is_err());
+    // Edges along which paper is cut are marked beside them.
+    state.set_seams(&[11, 6, 0, 1]).unwrap();
+    assert!(state.set_seams(&[0, 25]).is_err() && state.set_seams(&[0]).is_err());
+    assert_eq!(state.appearance().seams, [[11, 6], [0, 1]]);
+    assert_eq!(state.appearance().selected_edges, [[6, 11]]);
 }

@@ -49,6 +49,7 @@ export const LAYERS: [
     (view, state) => view.highlightGizmo(state.gizmoPart, state.dragged.length > 0),
   ],
   [['selection', 'model'], showSelection],
+  [['docked', 'document', 'model'], showSeams],
   [['tints', 'model', 'heldOriginal'], showTint],
   [['rowColours', 'model', 'flatMap'], showRowColours],
   [['measure', 'range', 'document', 'tolerances', 'display', 'flatMap'], showValues],
@@ -107,6 +108,13 @@ function showHandles(view: View, state: State) {
 function showSelection(view: View, { selection }: State) {
   view.setSelection(Uint32Array.from(selection.vertices), Uint32Array.from(selection.faces));
   view.setSelectedEdges(Uint32Array.from(selection.edges));
+}
+
+/** Transfers the edges along which paper is cut, while Build makes a paper model. */
+function showSeams(view: View, { docked, document }: State) {
+  const build = docked === 'parts' ? document?.build : null;
+  const seams = build?.product === 'paper' ? build.seams : [];
+  view.setSeams(Uint32Array.from(seams.flat()));
 }
 
 function showTint(view: View, { tints, heldOriginal }: State) {

@@ -139,7 +139,11 @@ fn frame_line(frame: &FrameReport, report: &BuildReport) -> String {
 }
 
 fn paper_line(paper: &PaperReport) -> String {
-    format!("ridges {}, valleys {}", paper.ridges, paper.valleys)
+    let folds = format!("ridges {}, valleys {}", paper.ridges, paper.valleys);
+    match paper.seams {
+        0 => folds,
+        seams => format!("{folds}, seams {seams}"),
+    }
 }
 
 /// An advice, with the options that follow it.

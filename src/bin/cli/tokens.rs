@@ -252,6 +252,7 @@ impl Tokens {
             BuildForm::Choice { options } => {
                 options.iter().find(|one| one.word == text).map(|one| one.word.into())
             }
+            BuildForm::Edges => edges(&text).map(|edges| json!(edges)),
             BuildForm::Switch | BuildForm::Text => Some(text.clone().into()),
         };
         let or_auto = if may_be_absent { format!(" or {AUTO}") } else { String::new() };
@@ -342,4 +343,17 @@ pub(super) fn input(file: OsString) -> Result<PathBuf, String> {
 /// Returns the finite number that a text states.
 fn finite(text: &str) -> Option<f64> {
     text.parse().ok().filter(|number: &f64| number.is_finite())
+}
+
+/// Returns the edges that a text such as `3-4,4-9`, or `none`, states by their vertices.
+fn edges(text: &str) -> Option<Vec<[u32; 2]>> {
+    if text == "none" {
+        return Some(Vec::new());
+    }
+    let index = |text: &str| text.trim().parse::<u32>().ok();
+    let edge = |text: &str| {
+        let (from, to) = text.split_once('-')?;
+        Some([index(from)?, index(to)?])
+    };
+    text.split(',').map(edge).collect()
 }

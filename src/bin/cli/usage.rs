@@ -158,6 +158,7 @@ fn value_of(setting: &BuildSetting) -> String {
         }
         BuildForm::Switch => String::new(),
         BuildForm::Text => "TEXT".to_owned(),
+        BuildForm::Edges => "EDGES".to_owned(),
     };
     if setting.absent.is_empty() { value } else { value + "|auto" }
 }

@@ -55,7 +55,7 @@ pub struct Joint {
     /// How far before the edge the inner faces of both facets end as the fold asks, in mm; 0 on creased
     /// paper.
     pub back: f64,
-    /// Whether its facets can hang together there.
+    /// Whether its facets can hang together there: not along a seam, nor where card is cut back unevenly.
     pub is_hinge: bool,
 }
 

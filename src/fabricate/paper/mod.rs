@@ -1,5 +1,6 @@
 //! Paper models: panels laid flat side by side as strips and nets, folded along their edges, and
-//! glued with tabs that are hidden behind the neighbour. Card has a thickness instead, and no tabs.
+//! glued with tabs that are hidden behind the neighbour. They are cut along the seams that the user
+//! chooses, and elsewhere as little as possible. Card has a thickness instead, and no tabs.
 
 mod drawn;
 mod facet;
@@ -23,9 +24,9 @@ use crate::fabricate::panel::{FlatPanel, smallest_box_within};
 use crate::fabricate::surface::{PanelSurface, distinct};
 use crate::math::plane::{Point2, bounds};
 use crate::math::sort_by_number;
-use crate::scene::Pieces;
+use crate::scene::{Pieces, ordered};
 use facet::facets;
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use strip::{Foldable, foldable};
 use tab::{around, tab};
 
@@ -84,15 +85,18 @@ pub struct PaperModel {
 }
 
 impl PaperModel {
-    /// The paper model of a surface whose panels are laid `flat`.
+    /// The paper model of a surface whose panels are laid `flat`. Edges between two vertices of `seams` are
+    /// cut.
     pub fn new(
         surface: &PanelSurface,
         flat: &[Option<FlatPanel>],
         pieces: Pieces,
         size: PaperSize,
+        seams: &[[u32; 2]],
     ) -> PaperModel {
         let (mut facets, mut joints, without) = facets(surface, flat, size.model);
         let uneven = size.card.cut_back(surface, &mut facets, &mut joints);
+        cut_seams(surface, &mut joints, seams);
         let order = foldable(surface, &joints, pieces);
         let is_without_quads = order.is_none();
         let order = order.or_else(|| foldable(surface, &joints, Pieces::Nets));
@@ -185,6 +189,15 @@ fn made_of(facets: &[Facet], uneven: &Uneven) -> usize {
     let panels = |own: &mut dyn Iterator<Item = &Facet>| distinct(own.map(|f| f.panel)).len();
     let lost = panels(&mut uneven.too_thick.iter().map(|&f| &facets[f as usize]));
     panels(&mut facets.iter()) - lost
+}
+
+/// Unhinges the joints along these edges, by their vertices.
+fn cut_seams(surface: &PanelSurface, joints: &mut [Joint], seams: &[[u32; 2]]) {
+    let seams: BTreeSet<[u32; 2]> = seams.iter().copied().map(ordered).collect();
+    for joint in joints {
+        let ends = joint.edge.map(|edge| surface.edges[edge as usize].ends);
+        joint.is_hinge &= ends.is_none_or(|ends| !seams.contains(&ends));
+    }
 }
 
 /// The panels beyond the sides of facets without a joint.

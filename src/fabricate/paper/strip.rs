@@ -50,10 +50,13 @@ pub(super) fn foldable(
                     of_edge[edge as usize] = Some(j);
                 }
             }
-            let joints = |strip: Vec<u32>| {
-                strip.into_iter().filter_map(|edge| of_edge[edge as usize]).collect()
-            };
-            own_strips = along.into_iter().map(joints).collect();
+            for strip in along {
+                let own: Vec<u32> =
+                    strip.into_iter().filter_map(|edge| of_edge[edge as usize]).collect();
+                // A strip ends where it cannot be folded: each part is divided evenly by itself.
+                let parts = own.split(|&j| !joints[j as usize].is_hinge);
+                own_strips.extend(parts.map(<[u32]>::to_vec));
+            }
         }
     }
     Some(Foldable { always, strips: own_strips })

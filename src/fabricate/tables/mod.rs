@@ -12,7 +12,10 @@ mod splices;
 
 use super::build::Build;
 use super::file::{Cell, Table};
-use crate::scene::{BUILD_SETTINGS, BuildForm, BuildSetting, BuildSettings, BuildUnit, Product};
+use super::surface::beam_name;
+use crate::scene::{
+    BUILD_SETTINGS, BuildForm, BuildSetting, BuildSettings, BuildUnit, Product, ordered,
+};
 use serde_json::Value;
 
 /// The names of the files of all tables of all products.
@@ -98,7 +101,13 @@ fn summary(build: &Build, names: &[&str]) -> String {
         row(&format!("{}, limit", check.label), Cell::from(check.limit), check.unit);
     }
     let settings = used_settings(build);
-    let is_used = |setting: &&BuildSetting| setting.products.contains(&report.product);
+    let seams = build.settings.seams.iter().copied().map(ordered).map(beam_name);
+    let seams = seams.collect::<Vec<_>>().join(" ");
+    let is_used = |setting: &&BuildSetting| {
+        // Without edges there is nothing to say of them.
+        let is_empty = matches!(setting.form, BuildForm::Edges) && seams.is_empty();
+        setting.products.contains(&report.product) && !is_empty
+    };
     for setting in BUILD_SETTINGS.iter().filter(is_used) {
         let unit = match setting.form {
             BuildForm::Number { unit: BuildUnit::Mesh, .. } => build.unit.symbol,
@@ -111,6 +120,7 @@ fn summary(build: &Build, names: &[&str]) -> String {
             Value::Number(number) => Cell::from(number.as_f64()),
             Value::String(text) => Cell::from(&**text),
             Value::Bool(is_on) => Cell::from(if *is_on { "on" } else { "off" }),
+            Value::Array(_) => Cell::from(&*seams),
             _ => Cell::None,
         };
         row(&format!("{} ({})", setting.label, setting.id), cell, unit);

@@ -97,6 +97,14 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         .of(&[Paper]),
     setting(
         Parts,
+        "seams",
+        "Seams",
+        BuildForm::Edges,
+        "Edges that are cut and never folded, by their vertices: 3-4,4-9.",
+    )
+    .of(&[Paper]),
+    setting(
+        Parts,
         "fold",
         "Folds",
         FOLDS,
@@ -354,6 +362,7 @@ mod tests {
             BuildForm::Choice { options } => json!(options[options.len() - 1].word),
             BuildForm::Switch => json!(now != json!(true)),
             BuildForm::Text => json!("oak"),
+            BuildForm::Edges => json!([[0, 1], [5, 4]]),
         }
     }
 
@@ -366,7 +375,7 @@ mod tests {
                     paths(value, &format!("{path}{dot}{key}"), found);
                 }
             }
-            Value::Array(values) => {
+            Value::Array(values) if !values.is_empty() => {
                 for (k, value) in values.iter().enumerate() {
                     paths(value, &format!("{path}[{k}]"), found);
                 }

@@ -75,6 +75,8 @@ pub enum BuildForm {
     Switch,
     /// Any text.
     Text,
+    /// Edges of the mesh, each by its two vertices.
+    Edges,
 }
 
 /// The unit of a declared number.
@@ -134,6 +136,7 @@ impl BuildSetting {
             }
             BuildForm::Switch => "on or off".to_owned(),
             BuildForm::Text => "a text".to_owned(),
+            BuildForm::Edges => "edges by their vertices, such as 3-4,4-9, or none".to_owned(),
         }
     }
 
@@ -178,7 +181,7 @@ impl BuildSettings {
         }
         let own: BuildSettings =
             from_value(own).map_err(|found| error(&found.path, found.message))?;
-        own.check().map_err(|(path, message)| error(path, message))?;
+        own.check().map_err(|(path, message)| error(&path, message))?;
         Ok(own)
     }
 }

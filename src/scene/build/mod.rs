@@ -3,6 +3,7 @@
 //! | file | holds |
 //! |---|---|
 //! | `settings` | scale, sheet, joint, distance, and their checks |
+//! | `edges` | edges of the mesh among them, and their checks |
 //! | `presets` | common materials, machines and sheets |
 //! | `choice` | the choices among them, such as products and kinds of offsets |
 //! | `page` | the pages of a PDF, and how many of them a sheet is printed on |
@@ -12,6 +13,7 @@
 mod choice;
 mod declarations;
 mod declared;
+mod edges;
 mod page;
 mod presets;
 mod settings;
@@ -19,6 +21,7 @@ mod settings;
 pub use choice::{Dxf, Fold, Names, OffsetKind, Order, Pieces, Product};
 pub use declarations::BUILD_SETTINGS;
 pub use declared::{BuildForm, BuildGroup, BuildOption, BuildSetting, BuildUnit};
+pub(crate) use edges::ordered;
 pub use page::Page;
 pub(crate) use page::Tiling;
 pub use presets::{BUILD_PRESETS, BuildPreset, PresetOf, PresetValues};

@@ -2,8 +2,9 @@
 
 use super::choice::{Dxf, Fold, Names, OffsetKind, Order, Pieces, Product};
 use super::page::Page;
-use crate::json::{fixed, object, word, word_or_null};
+use crate::json::{fixed, object, pairs, word, word_or_null};
 use serde::{Deserialize, Serialize};
+use std::rc::Rc;
 
 /// The settings of a build: the key `build` of a scene. Lengths of the building are in the unit of
 /// the mesh; lengths of the sheet and the material are in mm.
@@ -72,6 +73,10 @@ pub struct BuildSettings {
     /// The kind of pieces of a paper model.
     #[serde(deserialize_with = "word")]
     pub pieces: Pieces,
+    /// The edges along which a paper model is cut and never folded, each by its two vertices in any order.
+    #[serde(with = "pairs")]
+    #[cfg_attr(target_arch = "wasm32", tsify(type = "[number, number][]"))]
+    pub seams: Rc<[[u32; 2]]>,
     /// How the folds of a paper model are made.
     #[serde(deserialize_with = "word")]
     pub fold: Fold,
@@ -143,6 +148,7 @@ impl Default for BuildSettings {
             beam_width: None,
             alike_deg: 0.5,
             pieces: Pieces::Nets,
+            seams: Rc::default(),
             fold: Fold::Crease,
             tab: 8.0,
             print_inside: false,
@@ -154,19 +160,21 @@ impl Default for BuildSettings {
 }
 
 impl BuildSettings {
-    /// Checks that every number is finite and in its range.
+    /// Checks that every number is finite and in its range, and every edge is listed once; whether the mesh
+    /// has these edges is checked by [`BuildSettings::check_edges`].
     ///
     /// # Errors
-    /// The key of the first invalid setting, and a message.
-    pub fn check(&self) -> Result<(), (&'static str, String)> {
-        self.check_numbers()?;
+    /// The path of the first invalid setting, and a message.
+    pub fn check(&self) -> Result<(), (String, String)> {
+        self.check_numbers().map_err(|(id, message)| (id.to_owned(), message))?;
+        self.check_seams()?;
         if self.sheet.iter().any(|size| *size <= 2.0 * self.margin) {
             let [width, height] = self.sheet;
             let margin = self.margin;
             let message = format!(
                 "found {margin}, expected less than half of each side of the sheet ({width} x {height} mm)"
             );
-            return Err(("margin", message));
+            return Err(("margin".to_owned(), message));
         }
         Ok(())
     }

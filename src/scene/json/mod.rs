@@ -40,7 +40,7 @@
 //! | "smoothness" | `"of"`: `"surface"` or `"displacement"`; `"weighting"`: `"auto"`, `"uniform"`, `"cotangent"` (triangles) or `"polygon"` (any faces) |
 //! | "solver" | `iterations`, `tolerance`, `accelerator` (`"quasi-newton"`, `"anderson"`, `"none"`), `window`, `mean_centring`, `monotone`, `factorization` (`"auto"`, `"supernodal"`, `"sprs-ldl"`), `shortest_edge` (0 to 1, or null) |
 //! | "lesson" | a task, goals, and the parts of the scene that are locked |
-//! | "build" | settings of the parts to build: `kind`, `distance`, `follow`, `joint`, `scale`, `sheet`, ... ([`crate::scene::BuildSettings`]) |
+//! | "build" | settings of the parts to build: `kind`, `distance`, `follow`, `joint`, `scale`, `sheet`, `seams`, ... ([`crate::scene::BuildSettings`]) |
 //! | "steps" | a presentation; each step has `title`, `text`, `notes`, and what it shows: `camera`, `parallel`, `measure`, `original` (the rest shape) or `variant`, `weights`, `run` ([`crate::scene::Slide`]) |
 //! | "variants" | shapes that the user kept: `kept`, at most 12 of `{ "name", "positions" }`, and `design`, the index of the one that closeness and smoothness refer to instead of the rest shape |
 //!

@@ -1,4 +1,5 @@
-//! Carries a scene over to a mesh derived from its own: its sets, constraints, handles and shapes.
+//! Carries a scene over to a mesh derived from its own: its sets, constraints, handles, shapes, and the
+//! seams of a paper model.
 //!
 //! A set of faces becomes the faces made only of them. A set of vertices also gets the new vertices
 //! between its own; if all of its vertices are on the boundary, it is a curve and gets only
@@ -8,7 +9,7 @@
 use crate::constraint::{Element, Selector, describe, resolve};
 use crate::math::marked;
 use crate::mesh::{Edited, Origins, Point, Topology};
-use crate::scene::{ConstraintSpec, Hold, Lock, MeshSource, Pose, Scene};
+use crate::scene::{ConstraintSpec, Hold, Lock, MeshSource, Pose, Scene, ordered};
 use crate::session::state::{RestMesh, resolve_row};
 use crate::solve::Handle;
 use crate::words;
@@ -91,6 +92,16 @@ pub(crate) fn carry(
         }
         is_left
     });
+    if let Some(build) = &mut document.build {
+        let (seams, gone) = carry_edges(&build.seams, origins, after.topology());
+        build.seams = seams;
+        if gone > 0 {
+            let seams = words::count(gone, "seam", "seams");
+            lost.push(format!(
+                "Left out: {seams} of the paper model, along which there is no edge."
+            ));
+        }
+    }
     let has_other_sizes = !(0.9..1.1).contains(&(after.mean_edge() / before.mean_edge()));
     let rows = std::mem::take(&mut document.constraints);
     for mut row in rows {
@@ -195,6 +206,46 @@ fn carry_faces(faces: &[u32], origins: &Origins) -> Vec<u32> {
         }
     }
     made.concat()
+}
+
+/// Returns the sides of faces along old edges, and the number of these along which there is none. An edge
+/// that was divided becomes several; one whose ends were moved or merged stays what it was.
+fn carry_edges(edges: &[[u32; 2]], origins: &Origins, after: &Topology) -> (Rc<[[u32; 2]]>, usize) {
+    if edges.is_empty() {
+        return (Rc::default(), 0);
+    }
+    // The old vertices that each new one is, if it is any; else the ends of the edge that it is on.
+    let mut own: Vec<Vec<u32>> = vec![Vec::new(); origins.between.len()];
+    for (old, now) in (0..).zip(&origins.vertices) {
+        now.iter().for_each(|&now| own[now as usize].push(old));
+    }
+    let known: BTreeSet<[u32; 2]> = edges.iter().copied().map(ordered).collect();
+    let between = |v: u32| origins.between.row(v as usize);
+    let is_old = |v: u32| !own[v as usize].is_empty() || between(v).len() == 1;
+    let olds = |v: u32| match &own[v as usize][..] {
+        [] => between(v),
+        own => own,
+    };
+    // The known old edge that a new one lies along.
+    let along = |&[p, q]: &[u32; 2]| {
+        let [first, second] = if is_old(p) { [p, q] } else { [q, p] };
+        if is_old(second) {
+            let pairs = olds(p).iter().flat_map(|&a| olds(q).iter().map(move |&b| ordered([a, b])));
+            return pairs.into_iter().find(|edge| known.contains(edge));
+        }
+        let edge = <[u32; 2]>::try_from(between(second)).ok()?;
+        let is_on = match is_old(first) {
+            true => olds(first).iter().any(|old| edge.contains(old)),
+            false => between(first) == edge,
+        };
+        (is_on && known.contains(&edge)).then_some(edge)
+    };
+    let sides = after.edges().iter().zip(after.edge_faces().iter());
+    let sides = sides.filter(|(_, faces)| !faces.is_empty()).map(|(ends, _)| ends);
+    let found: Vec<([u32; 2], [u32; 2])> =
+        sides.filter_map(|ends| Some((*ends, along(ends)?))).collect();
+    let left: BTreeSet<[u32; 2]> = found.iter().map(|(_, old)| *old).collect();
+    (found.into_iter().map(|(now, _)| now).collect(), known.len() - left.len())
 }
 
 /// Number of handles on vertices that are now one with that of an earlier handle.

@@ -54,6 +54,8 @@ pub struct Appearance {
     pub selected_vertices: Vec<u32>,
     /// Selected edges, by their vertices.
     pub selected_edges: Vec<[u32; 2]>,
+    /// The edges along which a paper model is cut, by their vertices.
+    pub seams: Vec<[u32; 2]>,
     selected_faces: Vec<u32>,
     tinted_vertices: Vec<u32>,
     tinted_faces: Vec<u32>,

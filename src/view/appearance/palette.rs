@@ -66,6 +66,8 @@ pub enum LineKind {
     Larger = 14,
     /// Over the surface, along the smaller principal curvature; the shader uses its number.
     Smaller = 15,
+    /// An edge along which a paper model is cut.
+    Seam = 16,
 }
 
 /// The meaning of a dot; its value is its index in [`Palette::dots`].
@@ -94,7 +96,7 @@ pub enum DotKind {
 }
 
 /// Number of kinds of lines.
-pub const LINE_KINDS: usize = 16;
+pub const LINE_KINDS: usize = 17;
 /// Number of kinds of dots.
 pub const DOT_KINDS: usize = 10;
 
@@ -196,6 +198,7 @@ pub const LIGHT: Palette = Palette {
         seen_through(0.45, [0.84, 0.16, 0.20, 0.9], 2.0),
         stroke([0.78, 0.20, 0.10, 1.0], 2.0),
         stroke([0.05, 0.33, 0.72, 1.0], 2.0),
+        stroke([0.00, 0.45, 0.36, 1.0], 3.0),
     ],
     edge_of_values: [0.10, 0.12, 0.17, 0.50],
     check: [0.20, 0.26, 0.36, 0.94],
@@ -247,6 +250,7 @@ pub const DARK: Palette = Palette {
         seen_through(0.45, [1.0, 0.47, 0.43, 0.9], 2.0),
         stroke([1.0, 0.58, 0.36, 1.0], 2.0),
         stroke([0.50, 0.76, 1.0, 1.0], 2.0),
+        stroke([0.25, 0.88, 0.70, 1.0], 3.0),
     ],
     edge_of_values: [0.05, 0.06, 0.09, 0.60],
     check: [0.125, 0.145, 0.185, 0.95],

@@ -73,10 +73,7 @@ impl ViewState {
     /// # Errors
     /// A vertex that does not exist, or an odd number of vertices.
     pub fn set_edges(&mut self, ends: &[u32]) -> Result<(), ViewError> {
-        check_indices("edges", ends, self.counts().0)?;
-        check_length("ends of edges", ends.len(), ends.len().next_multiple_of(2))?;
-        let (edges, _) = ends.as_chunks::<2>();
-        self.content.edges = edges.to_vec();
+        self.content.edges = self.edges_of("edges", ends)?;
         Ok(())
     }
 
@@ -90,6 +87,23 @@ impl ViewState {
             edges.iter().map(|&e| self.content.edges[e as usize]).collect();
         self.changes.marks = true;
         Ok(())
+    }
+
+    /// Sets the edges along which a paper model is cut: two vertices each.
+    ///
+    /// # Errors
+    /// A vertex that does not exist, or an odd number of vertices; the old ones stay.
+    pub fn set_seams(&mut self, ends: &[u32]) -> Result<(), ViewError> {
+        self.look.appearance.seams = self.edges_of("seams", ends)?;
+        self.changes.marks = true;
+        Ok(())
+    }
+
+    /// Returns the edges whose ends these are, two each; `what` names them in an error.
+    fn edges_of(&self, what: &'static str, ends: &[u32]) -> Result<Vec<[u32; 2]>, ViewError> {
+        check_indices(what, ends, self.counts().0)?;
+        check_length(what, ends.len(), ends.len().next_multiple_of(2))?;
+        Ok(ends.as_chunks::<2>().0.to_vec())
     }
 
     /// Returns the visible edge nearest to a screen position, within a radius.

@@ -257,6 +257,15 @@ impl View {
         self.model().select_edges(edges).map_err(thrown)
     }
 
+    /// Sets the edges along which a paper model is cut, as pairs of vertices.
+    ///
+    /// # Errors
+    /// A vertex that does not exist.
+    #[wasm_bindgen(js_name = setSeams)]
+    pub fn set_seams(&mut self, ends: &[u32]) -> Result<(), JsValue> {
+        self.model().set_seams(ends).map_err(thrown)
+    }
+
     /// Marks vertices and faces with a colour, whose components are from 0 to 1.
     ///
     /// # Errors

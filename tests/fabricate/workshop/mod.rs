@@ -151,6 +151,30 @@ fn pieces_of_paper_make_the_dome_again() {
 }
 
 #[test]
+fn pieces_cut_along_seams_make_the_dome_again() {
+    // From the rim to the opening at one side, and around between the third row and the fourth.
+    let mesh = dome();
+    let surface = build(&mesh, &of(Product::Paper)).surface;
+    let seams: Vec<[u32; 2]> = surface.edges.iter().map(|edge| edge.ends).collect();
+    let seams = seams.into_iter().filter(|ends| {
+        let [a, b] = ends.map(|v| [v % 14, v / 14]);
+        (a[0] == 0 && b[0] == 0) || (a[1] == 3 && b[1] == 3)
+    });
+    let seams: std::rc::Rc<[[u32; 2]]> = seams.collect();
+    assert_eq!(seams.len(), 6 + 14);
+    for fold in [Fold::Crease, Fold::Score] {
+        for pieces in [Pieces::Nets, Pieces::Strips, Pieces::Across] {
+            let (scale, sheet, seams) = (5.0, [1000.0, 700.0], seams.clone());
+            let of = of(Product::Paper);
+            let own = BuildSettings { pieces, scale, sheet, seams, fold, thickness: 0.5, ..of };
+            let made = build(&mesh, &own);
+            assert_eq!(made.report().paper.map(|paper| paper.seams), Some(20));
+            paper::assemble(&files(&made)).assert_is(&mesh);
+        }
+    }
+}
+
+#[test]
 fn card_of_a_millimetre_makes_the_dome_again_however_it_is_folded() {
     for fold in [Fold::Score, Fold::VCut, Fold::Separate] {
         for print_inside in [false, true] {

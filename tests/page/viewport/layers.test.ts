@@ -51,3 +51,24 @@ test('an audience sees no handles', () => {
   store.set({ presenting: true });
   assert.deepEqual(shown(), []);
 });
+
+test('seams are drawn while Build makes a paper model', () => {
+  const store = createStore();
+  const [[, show]] = LAYERS.filter(([keys]) => keys.includes('docked'));
+  const drawn = (docked: 'parts' | null, product: string) => {
+    let ends: number[] = [];
+    const setSeams = (those: Uint32Array) => (ends = [...those]);
+    const build = {
+      product,
+      seams: [
+        [3, 4],
+        [9, 4],
+      ],
+    };
+    show({ setSeams } as never, { ...store.get(), docked, document: { build } } as never, null);
+    return ends;
+  };
+  assert.deepEqual(drawn('parts', 'paper'), [3, 4, 9, 4]);
+  assert.deepEqual(drawn('parts', 'fins'), []);
+  assert.deepEqual(drawn(null, 'paper'), []);
+});

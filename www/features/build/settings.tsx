@@ -6,12 +6,14 @@
 import { useEffect, useRef, useState } from 'preact/hooks';
 import { AmountField, Checkbox, Choice } from '../../ui/components/fields.tsx';
 import { TextField } from '../../ui/components/text-field.tsx';
+import { SeamsField } from './seams-field.tsx';
 import type { BuildPreset, BuildSetting } from '../../pkg/engine/shape_up.js';
 import type { BuildSettings } from '../../solver/types.ts';
+import type { Edge } from './seams.ts';
 import type { Parts } from './parts.ts';
 
 /** A value of a setting, as in a scene. */
-type Value = number | string | boolean | null;
+type Value = number | string | boolean | Edge[] | null;
 
 /** The keys of a path such as `sheet[0]` or `limits.warp`. */
 const keysOf = (path: string) => path.split(/[.[\]]/).filter(Boolean);
@@ -136,11 +138,13 @@ function Field({
   value: Value;
   /** of the mesh */
   unit: string;
-  onValue: (value: Value) => unknown;
+  onValue: (value: Value) => Promise<unknown>;
 }) {
   const id = idOf(path);
   if (form.type === 'switch')
     return <Checkbox title={title} label={label} checked={value === true} onCheck={onValue} />;
+  if (form.type === 'edges')
+    return <SeamsField title={title} label={label} edges={value as Edge[]} onEdges={onValue} />;
   const symbol =
     form.type === 'number' ? { '': '', mesh: unit, mm: 'mm', degrees: '°' }[form.unit] : '';
   return (

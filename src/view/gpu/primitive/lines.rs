@@ -1,5 +1,5 @@
-//! Draws edges, polylines, selected edges, outlines of flipped faces, and the lines from handles to
-//! targets: `shaders/lines.wgsl`.
+//! Draws edges, polylines, selected edges and seams, outlines of flipped faces, and the lines from handles
+//! to targets: `shaders/lines.wgsl`.
 
 use crate::view::appearance::LineKind;
 use crate::view::gpu::{GpuTables, LINES, Layer, Recipe, VertexBuffer, build};
@@ -73,11 +73,13 @@ impl Lines {
         self.bands.write(device, queue, &bands);
     }
 
-    /// Uploads the selected edges and the measuring tape.
+    /// Uploads the seams of a paper model, over them the selected edges, and the measuring tape.
     pub fn update_marks(&mut self, device: &wgpu::Device, queue: &wgpu::Queue, state: &ViewState) {
-        let edges = state.appearance().selected_edges.iter();
-        let mut selected: Vec<[u32; 3]> =
-            edges.map(|&[a, b]| line(a, b, LineKind::Selected)).collect();
+        let of_kind =
+            |edges: &[[u32; 2]], kind| edges.iter().map(|&[a, b]| line(a, b, kind)).collect();
+        let appearance = state.appearance();
+        let mut selected: Vec<[u32; 3]> = of_kind(&appearance.seams, LineKind::Seam);
+        selected.append(&mut of_kind(&appearance.selected_edges, LineKind::Selected));
         if let &[from, to] = state.tape() {
             selected.push(line(from, to, LineKind::Tape));
         }
@@ -132,7 +134,7 @@ impl Lines {
         lines.draw_each(pass, &self.in_front, 6);
     }
 
-    /// Draws selected edges, the tape and the pull lines: dim where hidden, then where visible.
+    /// Draws seams, selected edges, the tape and the pull lines: dim where hidden, then where visible.
     pub fn draw_marks(&self, pass: &mut wgpu::RenderPass<'_>) {
         for lines in [&self.selected, &self.pulls] {
             self.draw_others(pass, lines, lines.count());

@@ -53,7 +53,7 @@ struct Scene {
     // Factor of the light on back faces.
     back: vec4f,
     circle: Stroke,
-    strokes: array<Stroke, 16>,
+    strokes: array<Stroke, 17>,
     dots: array<Dot, 10>,
 }
 
