@@ -4,9 +4,9 @@ use super::Session;
 use super::edit::{Edit, PanelStart, check_lock};
 use super::run::{Collapse, LastRun, Search, collapse_since};
 use super::state::{check_targets, same_problem};
-use super::undo::{Transaction, TransactionKind};
+use super::undo::{SessionState, Transaction, TransactionKind};
 use crate::mesh::Point;
-use crate::scene::Lock;
+use crate::scene::{Lock, Scene};
 use crate::session::Error;
 use crate::solve::Require;
 use serde::Deserialize;
@@ -193,11 +193,11 @@ impl Session {
         } else if !met {
             self.scene.settle();
         }
-        let begun = &transaction.before().scene;
-        let start = self.last_run.take().and_then(|last| last.start_of(begun));
+        let SessionState { scene: begun, last_run, .. } = transaction.before();
+        let start = last_run.as_ref().and_then(|last| last.start_of_next(&begun.document));
         let start = start.unwrap_or_else(|| Rc::clone(&begun.positions));
         let collapse = self.collapse_since(&start);
-        self.last_run = Some(LastRun::new(start, begun, &self.scene, collapse));
+        self.last_run = Some(Rc::new(LastRun::new(start, &self.scene, collapse)));
         // A run that collapsed is a step of its own, so that it can be undone alone.
         let joins = transaction.joins_last() && self.collapse().is_none();
         match transaction.name_of_run(&self.state()) {
@@ -210,7 +210,13 @@ impl Session {
 
     /// As [`collapse_since`], where the current shape is looked at for a collapse.
     pub(super) fn collapse_since(&self, start: &[Point]) -> Option<Collapse> {
-        let is_as_opened = |opened| same_problem(self.document(), opened);
+        // Whatever the search has chosen to meet it.
+        let asked = |scene: &Scene| {
+            let mut asked = scene.clone();
+            asked.as_asked();
+            asked
+        };
+        let is_as_opened = |opened| same_problem(&asked(self.document()), &asked(opened));
         let requires_panels = || self.panel_requirement().is_some_and(Require::is_hard);
         let is_judged = self.is_searched() && requires_panels();
         if is_judged || self.opened.as_deref().is_some_and(is_as_opened) {

@@ -225,9 +225,10 @@ impl Session {
     /// # Errors
     /// When the document does not fit the mesh, or the system would be singular; nothing has changed then.
     pub(super) fn go_to_state(&mut self, state: SessionState) -> Result<(), Error> {
-        let SessionState { rest, scene, iteration } = state;
+        let SessionState { rest, scene, iteration, last_run } = state;
         match Rc::ptr_eq(&rest, &self.rest) {
             true => self.go_to_scene(scene)?,
+        self.last_run = last_run;
             false => self.go_to_mesh(rest, scene)?,
         }
         self.arrive(iteration);
@@ -381,6 +382,7 @@ impl Session {
         let (document, handles, positions) = (Rc::new(document), handles.into(), positions.into());
         self.go_to_state(SessionState {
             rest: Rc::new(rest),
+            last_run: None,
             scene: SceneState { document, handles, positions },
             iteration: before.iteration,
         })?;
@@ -418,6 +420,7 @@ impl Session {
     pub(super) fn state(&self) -> SessionState {
         SessionState {
             rest: Rc::clone(&self.rest),
+            last_run: self.last_run.clone().filter(|last| last.is_of(&self.scene)),
             scene: self.scene.state(),
             iteration: self.iteration(),
         }

@@ -202,7 +202,7 @@ fn read(
         _ => return Err(bytes.damaged("positions").into()),
     };
     let scene = SceneState { document, handles, positions };
-    Ok(SessionState { rest: Rc::clone(&near.rest), scene, iteration })
+    Ok(SessionState { rest: Rc::clone(&near.rest), scene, iteration, last_run: None })
 }
 
 /// Shares sets and rows with the document `near`, where they are equal: each has been read anew. Rows
