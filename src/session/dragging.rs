@@ -58,7 +58,15 @@ impl Session {
             }
             DragPhase::Make => {
                 checked?;
-                self.begin_drag_of_new(vertices.to_vec())?;
+                let add = Edit::AddHandles { vertices: vertices.to_vec(), fixed: false };
+                // What is refused leaves a run as it is.
+                self.would_change(&add)?;
+                self.begin_drag();
+                // Undoing the drag also removes the handles.
+                if let Err(error) = self.make(add) {
+                    self.transaction = None;
+                    return Err(error);
+                }
             }
             DragPhase::Start => {
                 checked?;
@@ -80,23 +88,6 @@ impl Session {
     /// Begins a drag of vertices that are handles, until [`Session::end_drag`].
     pub fn begin_drag(&mut self) {
         self.begin(TransactionKind::Drag);
-    }
-
-    /// Makes vertices handles where they are and begins to drag them, as one step of undo: undoing
-    /// the drag also removes the handles.
-    ///
-    /// # Errors
-    /// If a vertex does not exist, or the lesson locks the handles; nothing has changed then.
-    pub fn begin_drag_of_new(&mut self, vertices: Vec<u32>) -> Result<(), Error> {
-        let add = Edit::AddHandles { vertices, fixed: false };
-        // What is refused leaves a run as it is.
-        self.would_change(&add)?;
-        self.begin_drag();
-        let made = self.make(add);
-        if made.is_err() {
-            self.transaction = None;
-        }
-        made.map(|_| ())
     }
 
     /// Ends a drag: keeps it as one step of undo, or restores the state before it. If there are
