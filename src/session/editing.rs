@@ -146,7 +146,7 @@ impl Session {
         let last = self.transaction.as_ref().and_then(|transaction| {
             Some((transaction.name_of_step(&now)?, transaction.before().clone()))
         });
-        write_history(self.history.steps(), &now, last)
+        write_history(self.history.steps(), &now, last, self.opened.as_deref())
     }
 
     /// Returns the state of the run or the drag under way, for [`Session::restore`].
@@ -164,10 +164,8 @@ impl Session {
         let now = self.state();
         let mut result = Ok(());
         if !history.is_empty() {
-            result = read_history(history, &now).map(|(history, first)| {
-                self.opened = first.or(self.opened.take());
-                self.history = history;
-            });
+            result = read_history(history, &now)
+                .map(|(history, opened)| (self.history, self.opened) = (history, opened));
         }
         if !progress.is_empty() {
             let read = read_state(progress, &now);
@@ -228,9 +226,9 @@ impl Session {
         let SessionState { rest, scene, iteration, last_run } = state;
         match Rc::ptr_eq(&rest, &self.rest) {
             true => self.go_to_scene(scene)?,
-        self.last_run = last_run;
             false => self.go_to_mesh(rest, scene)?,
         }
+        self.last_run = last_run;
         self.arrive(iteration);
         Ok(())
     }
@@ -382,9 +380,9 @@ impl Session {
         let (document, handles, positions) = (Rc::new(document), handles.into(), positions.into());
         self.go_to_state(SessionState {
             rest: Rc::new(rest),
-            last_run: None,
             scene: SceneState { document, handles, positions },
             iteration: before.iteration,
+            last_run: None,
         })?;
         Ok(before)
     }
@@ -420,9 +418,9 @@ impl Session {
     pub(super) fn state(&self) -> SessionState {
         SessionState {
             rest: Rc::clone(&self.rest),
-            last_run: self.last_run.clone().filter(|last| last.is_of(&self.scene)),
             scene: self.scene.state(),
             iteration: self.iteration(),
+            last_run: self.last_run.clone().filter(|last| last.is_of(&self.scene)),
         }
     }
 
