@@ -29,7 +29,10 @@ impl Edited {
     /// do vertices of no face and of faces that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
         let surface = Surface::of_polygons(&mesh.positions, mesh);
-        let is_out = marked(mesh.faces.len(), mesh.faces_left_out(&[]));
+        let same = cover.same_faces(mesh);
+        // Panels come from none of the faces that stay.
+        let staying = same.iter().copied().flatten();
+        let is_out = marked(mesh.faces.len(), mesh.faces_left_out(&[]).into_iter().chain(staying));
         // Panels are laid out on faces that are welded if they share no vertices.
         let mut welded = mesh.clone();
         Weld::apply(&mut welded);
@@ -37,7 +40,6 @@ impl Edited {
         let old_parts = components(welded.faces.len(), topology.edge_faces().iter());
         let new_parts = components(cover.positions.len(), cover.faces.iter());
         let part_of = |old: u32| (!is_out[old as usize]).then(|| old_parts[old as usize]);
-        let same = cover.same_faces(mesh);
         let others = cover.faces.iter().zip(&same).filter(|(_, same)| same.is_none());
         let mut panels =
             vec![Vec::new(); new_parts.iter().max().map_or(0, |&last| last as usize + 1)];
