@@ -3,10 +3,9 @@
 
 use super::lines::{excerpt, lines};
 use super::number::{Numbering, coordinate};
-use crate::math::marked;
 use crate::mesh::diagnostics::{coincident, examine};
 use crate::mesh::problem::DiagnosticCounts;
-use crate::mesh::{ElementKind, Mesh, MeshProblem, Point, ProblemKind, seams};
+use crate::mesh::{ElementKind, Mesh, MeshProblem, Point, ProblemKind};
 use crate::words;
 
 /// The mesh so far, with the source lines of its vertices and faces.
@@ -195,13 +194,10 @@ impl MeshBuilder {
         self.mesh.unplaced = (0..positions.len() as u32).filter(is_unplaced).collect();
         fill_in(positions);
         positions.shrink_to_fit();
-        examine(&self.mesh, &self.vertex_lines, &self.face_lines, &mut self.counts);
-        // Those at seams are said as a problem.
-        if !coincident.is_empty() && self.counts.of(ProblemKind::UnjoinedVertex) > 0 {
-            let at_seams =
-                marked(self.mesh.positions.len(), seams(&self.mesh).iter().map(|[v, _]| v));
-            coincident.retain(|&v| !at_seams[v]);
-        }
+        let Self { mesh, vertex_lines, face_lines, counts, .. } = &mut self;
+        let at_seams = examine(mesh, vertex_lines, face_lines, counts);
+        // Those at seams, ascending, are reported as a problem.
+        coincident.retain(|&v| at_seams.binary_search(&(v as u32)).is_err());
         let on_coincident = coincident.iter().min().map(|&first| {
             let vertices = words::count(coincident.len(), "vertex lies", "vertices lie");
             let line = self.vertex_lines.get(first);
