@@ -230,7 +230,7 @@ impl Session {
     }
 
     /// Returns how far the values of the measure `id` are from 0, `#F`: of a signed one, on either side.
-    /// Errors are judged by them. As [`Session::face_values`].
+    /// Errors are judged by them: rounding errors are 0. As [`Session::face_values`].
     pub(in crate::session) fn face_errors(&mut self, id: &str) -> Option<Vec<f64>> {
         Some(self.face_values(id)?.into_iter().map(f64::abs).collect())
     }
