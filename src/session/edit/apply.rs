@@ -271,7 +271,7 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
     };
     if !is_press {
         let Draft { before, document, .. } = draft;
-        document.own_changes_since(before);
+        document.keep_user_changes(before);
         let is_elsewhere = document.attempt.from != before.attempt.from;
         if is_elsewhere || asks_otherwise(before, document) {
             let mut rows = document.constraints.iter();

@@ -9,7 +9,7 @@ use crate::mesh::{Mesh, Topology};
 use crate::session::Session;
 use crate::session::run::{Bend, Flaw, Level, SurfaceDistance, Tried};
 use crate::solve::{Moved, Require};
-use crate::words::{group_digits, limit};
+use crate::words::{group_digits, is_or_are, limit};
 use serde::Serialize;
 
 /// How many panels have the required shape, and what became of the design. Lengths are in the unit of
@@ -225,7 +225,9 @@ pub(super) fn count_in_words(adjective: &str, within: usize, of: usize, toleranc
     let shape = format!("{adjective} within {tolerance}");
     let all = group_digits(of);
     match of {
-        _ if within < of => format!("{} of {all} panels are {shape}.", group_digits(within)),
+        _ if within < of => {
+            format!("{} of {all} panels {} {shape}.", group_digits(within), is_or_are(within))
+        }
         1 => format!("The panel is {shape}."),
         _ => format!("All {all} panels are {shape}."),
     }
