@@ -180,14 +180,14 @@ impl MeshBuilder {
     }
 
     /// Returns the mesh with its problems and notes, or a fault if it has no usable vertices.
-    pub(crate) fn finish(mut self, text: &str) -> Result<Read, ReadFault> {
+    pub(crate) fn finish(mut self, text: &str) -> Result<Read, ReadError> {
         let positions = &mut self.mesh.positions;
         if positions.is_empty() {
             let expected = format!("expected at least one{}", self.example);
-            return Err(ReadFault::whole(format!("the file has no vertices: {expected}")));
+            return Err(ReadError::whole(format!("the file has no vertices: {expected}")));
         }
         if positions.as_flattened().iter().all(|x| x.is_nan()) {
-            return Err(ReadFault::whole("no coordinate in the file is a number"));
+            return Err(ReadError::whole("no coordinate in the file is a number"));
         }
         let mut coincident = coincident(positions);
         let is_unplaced = |v: &u32| positions[*v as usize].iter().any(|x| x.is_nan());
@@ -243,19 +243,6 @@ pub struct Read {
     pub(crate) on_coincident: Option<usize>,
 }
 
-/// Reason why a file is refused; `read` adds the name of the file and the text of the line.
-pub(crate) struct ReadFault {
-    pub(crate) line: Option<usize>,
-    pub(crate) message: String,
-}
-
-impl ReadFault {
-    /// Returns a fault of the file as a whole.
-    pub(crate) fn whole(message: impl Into<String>) -> Self {
-        ReadFault { line: None, message: message.into() }
-    }
-}
-
 /// Reason why a mesh file was refused.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadError {
@@ -267,6 +254,17 @@ pub struct ReadError {
     pub text: String,
     /// The fault, and what was expected instead.
     pub message: String,
+}
+
+impl ReadError {
+    /// Returns a fault at this line, or of the file as a whole; `read` adds the name and the text.
+    pub(crate) fn at(line: Option<usize>, message: impl Into<String>) -> Self {
+        ReadError { line, message: message.into(), file: String::new(), text: String::new() }
+    }
+
+    pub(crate) fn whole(message: impl Into<String>) -> Self {
+        ReadError::at(None, message)
+    }
 }
 
 impl std::fmt::Display for ReadError {
