@@ -5,7 +5,7 @@ use super::file::{Drawing, dxf, pdf, svg};
 use super::sheet::{CutPart, Place};
 use super::space::{PRESENTATION, assembled, solids};
 use super::tables;
-use crate::mesh::write_obj_with_comments;
+use crate::mesh::write_obj_with;
 use crate::scene::{BuildSettings, UnitsAndUp, Up};
 
 /// The folder of the files of single parts.
@@ -67,7 +67,7 @@ impl Build {
             let Some(mesh) = mesh else { continue };
             let up = if z_up { Up::Z } else { Up::Y };
             let comments = UnitsAndUp::comments(self.unit.symbol, Some(up), &mesh);
-            add(name, write_obj_with_comments(&mesh, &mesh.positions, &comments).into());
+            add(name, write_obj_with(&mesh, &mesh.positions, &[], &comments).into());
         }
         add(PRESENTATION, self.presentation(z_up));
         files

@@ -59,7 +59,7 @@ pub use edit::{
 pub use file_order::FileOrder;
 pub use io::{
     Decimal, FILE_FORMATS, FileFormat, MeshPart, Read, ReadError, read, write_medit, write_obj,
-    write_obj_with_comments, write_obj_with_uv, write_ply, write_stl, write_with_ending,
+    write_obj_with, write_ply, write_stl, write_with_ending,
 };
 pub(crate) use io::{decode, lines};
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};

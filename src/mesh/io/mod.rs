@@ -17,7 +17,7 @@ pub use formats::{FILE_FORMATS, FileFormat, MeshPart};
 pub(crate) use lines::{decode, lines};
 pub use medit::write_medit;
 pub use number::Decimal;
-pub use obj::{write_obj, write_obj_with_comments, write_obj_with_uv};
+pub use obj::{write_obj, write_obj_with};
 pub use ply::write_ply;
 pub use stl::write_stl;
 
@@ -69,7 +69,7 @@ pub fn write_with_ending(
         "ply" => write_ply(mesh, positions, comments),
         "stl" => write_stl(mesh, positions),
         "mesh" => write_medit(&mesh.at(positions)).into_bytes(),
-        _ => write_obj_with_comments(mesh, positions, comments).into_bytes(),
+        _ => write_obj_with(mesh, positions, &[], comments).into_bytes(),
     }
 }
 
