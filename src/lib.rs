@@ -130,7 +130,7 @@
 //!
 //! - The text of a scene: `session/opened_file` tells what a file is; `Scene::from_json`
 //!   (`scene/json/file`) gives the typed [`scene::Scene`] or an error with its JSON path, `Scene::validate`
-//!   (`scene/validate`, for `session/load`) checks it against the mesh, and `scene/problem` makes the
+//!   (`scene/validate`, for `session/load`) checks it against the mesh, and `scene/document` makes the
 //!   [`solve::Problem`] of it (for `session/state/solved_scene`).
 //! - A setting of Build: a field of [`scene::BuildSettings`] and its declaration in
 //!   [`scene::BUILD_SETTINGS`], of which hosts make their forms and options. The edit `SetBuild`

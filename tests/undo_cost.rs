@@ -13,7 +13,7 @@ use shape_up::session::{Edit, NewConstraint, Session};
 fn open(mesh: Mesh) -> Session {
     let mut scene = Scene::new(MeshSource::File("site.obj".to_owned()));
     scene.weights = Weights { shape: 1.0, close: 0.1, smooth: 0.1 };
-    let row = ConstraintSpec::from_json(r#"{ "kind": "plane", "on": "faces" }"#);
+    let row = serde_json::from_str::<ConstraintSpec>(r#"{ "kind": "plane", "on": "faces" }"#);
     scene.constraints.push(row.expect("the constraint is valid"));
     Session::open(scene, mesh).expect("the scene is valid")
 }
@@ -41,7 +41,7 @@ fn edits_and_undo_leave_lists_of_elements_where_they_are() {
     let fixed = Edit::AddHandles { vertices: vec![3], fixed: true };
     let at = |vertices: Vec<u32>| {
         let text = format!(r#"{{ "kind": "sphere", "on": {{ "vertices": {vertices:?} }} }}"#);
-        let spec = ConstraintSpec::from_json(&text).expect("the constraint is valid");
+        let spec = serde_json::from_str::<ConstraintSpec>(&text).expect("the constraint is valid");
         Edit::AddConstraint(NewConstraint { spec, set: None })
     };
     let (name, faces) = ("eaves".to_owned(), Vec::new());

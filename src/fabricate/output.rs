@@ -5,7 +5,7 @@ use super::file::{Drawing, dxf, pdf, svg};
 use super::sheet::{CutPart, Place};
 use super::space::{PRESENTATION, assembled, named_panels, solids};
 use super::tables;
-use crate::mesh::write_obj_with_comments;
+use crate::mesh::write_obj_with;
 use crate::scene::{BuildSettings, UnitsAndUp, Up};
 
 /// The folder of the files of single parts.
@@ -77,7 +77,7 @@ impl Build {
             let up = if z_up { Up::Z } else { Up::Y };
             let mut comments = UnitsAndUp::comments(self.unit.symbol, Some(up), &mesh);
             comments.extend(note.map(str::to_owned));
-            add(name, write_obj_with_comments(&mesh, &mesh.positions, &comments).into());
+            add(name, write_obj_with(&mesh, &mesh.positions, &[], &comments).into());
         }
         add(PRESENTATION, self.presentation(z_up));
         files

@@ -61,19 +61,20 @@ fn problem_of(edge: &[Side]) -> Option<ProblemKind> {
 }
 
 /// Counts the problems of a mesh whose vertices and faces are from these lines of a file; without a
-/// file, the slices are empty.
+/// file, the slices are empty. Returns the vertices at its seams.
 pub(super) fn examine(
     mesh: &Mesh,
     vertex_lines: &[u32],
     face_lines: &[u32],
     counts: &mut DiagnosticCounts,
-) {
+) -> Vec<u32> {
     let line = |lines: &[u32], index: usize| lines.get(index).map(|&line| line as usize);
     for vertex in unused(mesh) {
         counts.add(ProblemKind::UnusedVertex, line(vertex_lines, vertex));
     }
     let sides = sides_of_faces(mesh);
-    for [vertex, _] in seams_of(mesh, &sides) {
+    let at_seams: Vec<u32> = seams_of(mesh, &sides).into_iter().map(|[v, _]| v).collect();
+    for &vertex in &at_seams {
         counts.add(ProblemKind::UnjoinedVertex, line(vertex_lines, vertex as usize));
     }
     for face in duplicates(mesh) {
@@ -85,6 +86,7 @@ pub(super) fn examine(
             counts.add(kind, face.and_then(|face| line(face_lines, face as usize)));
         }
     }
+    at_seams
 }
 
 /// Returns the vertices that no element uses; none in a mesh without elements, a point set.

@@ -4,8 +4,7 @@
 //! |---|---|
 //! | `polygon_mesh` | positions, faces, curves, tetrahedra, groups |
 //! | `file_order` | the order of an OBJ file, so that it is written as it came |
-//! | `body` | what a mesh is made of, by which its size is told |
-//! | `bounds` | bounding sphere and box, and the limit on coordinates |
+//! | `bounds` | the size of a mesh: what it is made of, its bounding sphere and box, and the limit on coordinates |
 //! | `problem` | kinds and counts of the problems that do not stop reading a file |
 //! | `diagnostics` | the problems of a mesh as a whole: unused vertices, duplicate faces, non-manifold edges |
 //! | `sides` | the sides of all elements, grouped by edge |
@@ -19,7 +18,6 @@
 //! | `curvature` | principal curvatures, lines of curvature, and the alignment of edges with them |
 //! | `edit` | meshes made from meshes: welding, subdivision, editing operations |
 
-mod body;
 mod bounds;
 mod closest;
 mod coincident;
@@ -37,7 +35,7 @@ mod sides;
 mod topology;
 
 pub use crate::math::Ragged;
-pub(crate) use body::{Body, at_vertices};
+pub(crate) use bounds::{Body, at_vertices};
 pub use bounds::{BoundingSphere, LARGEST_COORDINATE, diagonal, first_out_of_range};
 pub use closest::{
     BoundaryCurve, BoundaryCurves, BoundaryPiece, ClosestPointCache, FaceTriangle, Polyline,
@@ -59,7 +57,7 @@ pub use edit::{
 pub use file_order::FileOrder;
 pub use io::{
     Decimal, FILE_FORMATS, FileFormat, MeshPart, Read, ReadError, read, write_medit, write_obj,
-    write_obj_with_comments, write_obj_with_uv, write_ply, write_stl, write_with_ending,
+    write_obj_with, write_ply, write_stl, write_with_ending,
 };
 pub(crate) use io::{decode, lines};
 pub use laplacian::{LARGEST_COTANGENT, Laplacian};

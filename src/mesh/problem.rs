@@ -55,6 +55,14 @@ pub enum ProblemKind {
 }
 
 impl ProblemKind {
+    /// Whether it is of the mesh as a whole, which [`crate::mesh::diagnose`] finds, not of its file.
+    pub(crate) fn is_of_mesh(self) -> bool {
+        use ProblemKind::*;
+        let of_mesh =
+            [UnusedVertex, UnjoinedVertex, DuplicateFace, NonManifoldEdge, FlippedNeighbour];
+        of_mesh.contains(&self)
+    }
+
     /// Returns the counted element, singular and plural, and its defect; empty if the element says
     /// it all.
     fn description(self) -> (&'static str, &'static str, &'static str) {
@@ -169,11 +177,6 @@ impl DiagnosticCounts {
             }
             _ => self.0.insert(place, (kind, 1, line)),
         }
-    }
-
-    /// The number of problems of a kind.
-    pub(super) fn of(&self, kind: ProblemKind) -> usize {
-        self.0.iter().find(|(other, ..)| *other == kind).map_or(0, |(_, count, _)| *count)
     }
 
     /// Returns the problems by kind; `text` returns the text of a line.

@@ -77,9 +77,9 @@ impl Scene {
             before == BoundaryRequire::Soft && require == BoundaryRequire::Exact;
     }
 
-    /// Makes the user's what differs from the scene `before`, which the user has changed: the next
-    /// search does not take it back.
-    pub(crate) fn own_changes_since(&mut self, before: &Scene) {
+    /// Marks the settings that were changed since the scene `before` as the user's: the next search does
+    /// not take them back.
+    pub(crate) fn keep_user_changes(&mut self, before: &Scene) {
         let [from, to] = [&before.closeness, &self.closeness];
         let changed = [
             (AttemptSetting::Smoothness, before.weights.smooth != self.weights.smooth),

@@ -2,13 +2,13 @@
 
 use super::SceneError;
 use super::build::BuildSettings;
-use super::closeness::Closeness;
+use super::closeness::{Closeness, Target};
 use super::lesson::Lesson;
 use super::presentation::{Slide, Variants};
 use crate::constraint::{Kind, Selector, Sets};
 use crate::json::{Entries, Object, indices, object, object_or_none, objects, points, present};
-use crate::mesh::{Mesh, Point, Read};
-use crate::solve::{Hold, Require, Smoothness, SolverSettings, Weights};
+use crate::mesh::{Mesh, Point, Read, Topology};
+use crate::solve::{Constraints, Hold, Problem, Require, Smoothness, SolverSettings, Weights};
 use crate::words;
 use serde::ser::{Error, Serializer};
 use serde::{Deserialize, Deserializer, Serialize};
@@ -120,6 +120,32 @@ impl Scene {
     pub fn start<'a>(&'a self, mesh: &'a Mesh) -> &'a [Point] {
         let design = || self.variants.design_positions().unwrap_or(&mesh.positions);
         self.current.as_deref().unwrap_or_else(design)
+    }
+
+    /// Returns the problem on `mesh`, the mesh that [`Scene::mesh`] refers to. `constraints` are
+    /// the enabled constraints with resolved selectors, and `closeness_factors`, `#V`, the result
+    /// of [`Closeness::factors`].
+    pub fn problem<'a>(
+        &'a self,
+        mesh: &'a Mesh,
+        topology: &'a Topology,
+        constraints: &'a [Constraints],
+        closeness_factors: &'a [f64],
+    ) -> Problem<'a> {
+        Problem {
+            mesh,
+            design: self.variants.design_positions(),
+            pose: self.pose_positions(),
+            topology,
+            constraints,
+            weights: self.weights,
+            closeness_to: self.closeness.to,
+            closeness_target: self.closeness.target.as_ref().and_then(Target::mesh),
+            boundary_closeness: self.closeness.boundary,
+            closeness_factors,
+            smoothness: self.smoothness,
+            settings: self.solver,
+        }
     }
 }
 

@@ -12,8 +12,7 @@
 //! A session that puts another mesh in place of the first one adds `"given"`, so that results are still of
 //! the exercise that was handed out.
 
-use super::SceneError;
-use crate::json::{JsonError, from_text, objects, present};
+use crate::json::{JsonError, objects, present};
 use serde::de::Error;
 use serde::{Deserialize, Deserializer, Serialize};
 
@@ -46,14 +45,6 @@ impl Lesson {
     pub fn asks_the_same(&self, other: &Lesson) -> bool {
         let asked = |lesson: &Lesson| Lesson { given: None, ..lesson.clone() };
         asked(self) == asked(other)
-    }
-
-    /// Reads the `lesson` of a scene.
-    ///
-    /// # Errors
-    /// As [`crate::scene::Scene::from_json`].
-    pub fn from_json(json: &str) -> Result<Lesson, SceneError> {
-        Ok(from_text(json)?)
     }
 }
 

@@ -3,7 +3,7 @@
 //! | file or folder | holds |
 //! |---|---|
 //! | `build` | the settings of what is built from the shape |
-//! | `document` | data types: mesh, constraints, handles, settings |
+//! | `document` | data types: mesh, constraints, handles, settings; the problem that they pose |
 //! | `attempt` | the attempt by which a search met hard constraints, and the settings that it changed |
 //! | `closeness` | target and factors of the closeness energy |
 //! | `lesson` | lessons: a task and goals |
@@ -17,7 +17,6 @@
 //! | `up_guess` | guess of the axis that points up |
 //! | `panels` | one shape for all panels, and a forecast of how far the mesh will move |
 //! | `presets` | presets of weights, closeness and smoothness, also of a mesh file that the user opens |
-//! | `problem` | the problem passed to the solver |
 
 mod attempt;
 mod build;
@@ -30,7 +29,6 @@ mod lesson;
 mod panels;
 mod presentation;
 mod presets;
-mod problem;
 mod results;
 mod up_guess;
 mod validate;

@@ -361,7 +361,7 @@ fn check_selector(
     )
 }
 
-fn check_handle_numbers(i: usize, handle: &HandleSpec) -> Result<(), SceneError> {
+pub(super) fn check_handle_numbers(i: usize, handle: &HandleSpec) -> Result<(), SceneError> {
     if let Hold::Soft { weight } = handle.hold
         && !(weight.is_finite() && weight > 0.0)
     {

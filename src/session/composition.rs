@@ -17,8 +17,8 @@ pub struct Session {
     /// The document as it was opened, without handles and positions: a run of the same problem does
     /// what its author intends, even if it collapses. None if this does not hold.
     pub(super) opened: Option<Rc<Scene>>,
-    /// The last run that has ended.
-    pub(super) last_run: Option<LastRun>,
+    /// The last run that led to the current shape, or to one before it.
+    pub(super) last_run: Option<Rc<LastRun>>,
     pub(super) history: History,
     /// The drag, run or variation under way.
     pub(super) transaction: Option<Transaction>,

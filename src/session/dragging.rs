@@ -4,9 +4,9 @@ use super::Session;
 use super::edit::{Edit, PanelStart, check_lock};
 use super::run::{Collapse, LastRun, Search, collapse_since};
 use super::state::{check_targets, same_problem};
-use super::undo::{Transaction, TransactionKind};
+use super::undo::{SessionState, Transaction, TransactionKind};
 use crate::mesh::Point;
-use crate::scene::Lock;
+use crate::scene::{Lock, Scene};
 use crate::session::Error;
 use crate::solve::Require;
 use serde::Deserialize;
@@ -58,7 +58,15 @@ impl Session {
             }
             DragPhase::Make => {
                 checked?;
-                self.begin_drag_of_new(vertices.to_vec())?;
+                let add = Edit::AddHandles { vertices: vertices.to_vec(), fixed: false };
+                // What is refused leaves a run as it is.
+                self.would_change(&add)?;
+                self.begin_drag();
+                // Undoing the drag also removes the handles.
+                if let Err(error) = self.make(add) {
+                    self.transaction = None;
+                    return Err(error);
+                }
             }
             DragPhase::Start => {
                 checked?;
@@ -80,23 +88,6 @@ impl Session {
     /// Begins a drag of vertices that are handles, until [`Session::end_drag`].
     pub fn begin_drag(&mut self) {
         self.begin(TransactionKind::Drag);
-    }
-
-    /// Makes vertices handles where they are and begins to drag them, as one step of undo: undoing
-    /// the drag also removes the handles.
-    ///
-    /// # Errors
-    /// If a vertex does not exist, or the lesson locks the handles; nothing has changed then.
-    pub fn begin_drag_of_new(&mut self, vertices: Vec<u32>) -> Result<(), Error> {
-        let add = Edit::AddHandles { vertices, fixed: false };
-        // What is refused leaves a run as it is.
-        self.would_change(&add)?;
-        self.begin_drag();
-        let made = self.make(add);
-        if made.is_err() {
-            self.transaction = None;
-        }
-        made.map(|_| ())
     }
 
     /// Ends a drag: keeps it as one step of undo, or restores the state before it. If there are
@@ -193,11 +184,11 @@ impl Session {
         } else if !met {
             self.scene.settle();
         }
-        let begun = &transaction.before().scene;
-        let start = self.last_run.take().and_then(|last| last.start_of(begun));
+        let SessionState { scene: begun, last_run, .. } = transaction.before();
+        let start = last_run.as_ref().and_then(|last| last.start_of_next(&begun.document));
         let start = start.unwrap_or_else(|| Rc::clone(&begun.positions));
         let collapse = self.collapse_since(&start);
-        self.last_run = Some(LastRun::new(start, begun, &self.scene, collapse));
+        self.last_run = Some(Rc::new(LastRun::new(start, &self.scene, collapse)));
         // A run that collapsed is a step of its own, so that it can be undone alone.
         let joins = transaction.joins_last() && self.collapse().is_none();
         match transaction.name_of_run(&self.state()) {
@@ -210,7 +201,13 @@ impl Session {
 
     /// As [`collapse_since`], where the current shape is looked at for a collapse.
     pub(super) fn collapse_since(&self, start: &[Point]) -> Option<Collapse> {
-        let is_as_opened = |opened| same_problem(self.document(), opened);
+        // Whatever the search has chosen to meet it.
+        let asked = |scene: &Scene| {
+            let mut asked = scene.clone();
+            asked.as_asked();
+            asked
+        };
+        let is_as_opened = |opened| same_problem(&asked(self.document()), &asked(opened));
         let requires_panels = || self.panel_requirement().is_some_and(Require::is_hard);
         let is_judged = self.is_searched() && requires_panels();
         if is_judged || self.opened.as_deref().is_some_and(is_as_opened) {

@@ -146,7 +146,7 @@ impl Session {
         let last = self.transaction.as_ref().and_then(|transaction| {
             Some((transaction.name_of_step(&now)?, transaction.before().clone()))
         });
-        write_history(self.history.steps(), &now, last)
+        write_history(self.history.steps(), &now, last, self.opened.as_deref())
     }
 
     /// Returns the state of the run or the drag under way, for [`Session::restore`].
@@ -164,10 +164,8 @@ impl Session {
         let now = self.state();
         let mut result = Ok(());
         if !history.is_empty() {
-            result = read_history(history, &now).map(|(history, first)| {
-                self.opened = first.or(self.opened.take());
-                self.history = history;
-            });
+            result = read_history(history, &now)
+                .map(|(history, opened)| (self.history, self.opened) = (history, opened));
         }
         if !progress.is_empty() {
             let read = read_state(progress, &now);
@@ -225,11 +223,12 @@ impl Session {
     /// # Errors
     /// When the document does not fit the mesh, or the system would be singular; nothing has changed then.
     pub(super) fn go_to_state(&mut self, state: SessionState) -> Result<(), Error> {
-        let SessionState { rest, scene, iteration } = state;
+        let SessionState { rest, scene, iteration, last_run } = state;
         match Rc::ptr_eq(&rest, &self.rest) {
             true => self.go_to_scene(scene)?,
             false => self.go_to_mesh(rest, scene)?,
         }
+        self.last_run = last_run;
         self.arrive(iteration);
         Ok(())
     }
@@ -383,6 +382,7 @@ impl Session {
             rest: Rc::new(rest),
             scene: SceneState { document, handles, positions },
             iteration: before.iteration,
+            last_run: None,
         })?;
         Ok(before)
     }
@@ -420,6 +420,7 @@ impl Session {
             rest: Rc::clone(&self.rest),
             scene: self.scene.state(),
             iteration: self.iteration(),
+            last_run: self.last_run.clone().filter(|last| last.is_of(&self.scene)),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::Session;
 use super::state::grouped;
-use crate::mesh::{Mesh, Weld, write_obj_with_uv, write_with_ending};
+use crate::mesh::{Mesh, Weld, write_obj_with, write_with_ending};
 use crate::scene::{MeshSource, Scene, UnitsAndUp};
 
 impl Session {
@@ -49,13 +49,13 @@ impl Session {
             return Err(format!("{found} texture coordinates, expected {}", 2 * vertices));
         }
         let shape = self.current_shape();
-        Ok(write_obj_with_uv(&shape, &shape.positions, uv, &self.comments(&shape)))
+        Ok(write_obj_with(&shape, &shape.positions, uv, &self.comments(&shape)))
     }
 
     /// Returns the scene file with the mesh inline, as text.
     pub fn scene_with_mesh(&self) -> String {
         let mut scene = self.scene();
-        scene.mesh = MeshSource::Inline(Box::new(self.mesh().clone()));
+        scene.mesh = MeshSource::default();
         scene.to_json(self.mesh())
     }
 

@@ -12,16 +12,11 @@ use crate::solve::{Exact, clock};
 use std::rc::Rc;
 
 impl Session {
-    /// Returns the exact solver of the hard constraints, which starts at the current shape; none if
-    /// there are no hard constraints.
+    /// Returns the exact solver with these requirements for the enabled rows, which starts at the current
+    /// shape; none if no row is then hard.
     ///
     /// # Errors
     /// If a set of the scene does not exist.
-    pub fn meeting(&self) -> Result<Option<Exact>, Error> {
-        self.meeting_with(&Required::of)
-    }
-
-    /// As [`Session::meeting`], with other requirements for the enabled rows.
     pub(super) fn meeting_with(
         &self,
         required: &dyn Fn(&ConstraintSpec) -> Required,

@@ -5,7 +5,7 @@
 use super::Session;
 use super::measured::MeasureCache;
 use super::report::{check_lesson, check_presentation};
-use super::run::{Progress, Search};
+use super::run::{LastRun, Progress, Search};
 use super::state::{ResolvedRow, RestMesh, SceneState, SolvedScene, flat, resolve_rows};
 use super::undo::{History, Transaction};
 use crate::mesh::Mesh;
@@ -35,8 +35,7 @@ impl Session {
 
     /// Opens a scene, as [`Session::open`], in place of `open`, whose generations it goes on with.
     /// If it is refused, the previous scene stays, with its steps of undo; what can be computed again
-    /// is lost: the step history of its solver, and how its hard constraints were met. So is that a run
-    /// has collapsed its shape.
+    /// is lost: the step history of its solver, and how its hard constraints were met.
     ///
     /// # Errors
     /// As [`Session::open`].
@@ -72,8 +71,8 @@ impl Session {
     /// Drops the solver and what was measured. The mesh stays, with what was derived from it.
     fn suspend(self) -> Suspended {
         let state = self.scene.state();
-        let Session { rest, progress, opened, history, transaction, .. } = self;
-        Suspended { rest, state, past: Past { progress, opened, history, transaction } }
+        let Session { rest, progress, opened, last_run, history, transaction, .. } = self;
+        Suspended { rest, state, progress, opened, last_run, history, transaction }
     }
 }
 
@@ -111,38 +110,26 @@ impl FittingScene {
         }
         let handles = flat(&std::mem::take(&mut self.scene.handles), self.rest.positions()).into();
         let state = SceneState { document: Rc::new(self.scene), handles, positions };
-        set_up(Rc::new(self.rest), self.rows, state, None)
+        set_up(Rc::new(self.rest), self.rows, state)
     }
 }
 
-/// Sets up the solver of a session in this state, with this `past`, or with none.
+/// Sets up the solver of a session in this state, without a past.
 ///
 /// # Errors
 /// If the system is singular.
-fn set_up(
-    rest: Rc<RestMesh>,
-    rows: Vec<ResolvedRow>,
-    state: SceneState,
-    past: Option<Past>,
-) -> Result<Session, Error> {
+fn set_up(rest: Rc<RestMesh>, rows: Vec<ResolvedRow>, state: SceneState) -> Result<Session, Error> {
     let SceneState { document, handles, positions } = state;
     let opened = Rc::clone(&document);
     let scene = SolvedScene::new(document, &rest, rows, handles.to_vec(), &positions)?;
-    let past = past.unwrap_or_else(|| Past {
-        progress: Progress::new(scene.solver().energy()),
-        opened: Some(opened),
-        history: History::default(),
-        transaction: None,
-    });
-    let Past { progress, opened, history, transaction } = past;
     Ok(Session {
+        progress: Progress::new(scene.solver().energy()),
         rest,
         scene,
-        progress,
-        opened,
+        opened: Some(opened),
         last_run: None,
-        history,
-        transaction,
+        history: History::default(),
+        transaction: None,
         measured: MeasureCache::default(),
         met: None,
         meeting: None,
@@ -154,13 +141,9 @@ fn set_up(
 struct Suspended {
     rest: Rc<RestMesh>,
     state: SceneState,
-    past: Past,
-}
-
-/// The parts of a session that are kept without its solver.
-struct Past {
     progress: Progress,
     opened: Option<Rc<Scene>>,
+    last_run: Option<Rc<LastRun>>,
     history: History,
     transaction: Option<Transaction>,
 }
@@ -171,8 +154,9 @@ impl Suspended {
     /// # Errors
     /// If the system is singular, which it was not before.
     fn resume(self) -> Result<Session, Error> {
-        let Suspended { rest, state, past } = self;
+        let Suspended { rest, state, progress, opened, last_run, history, transaction } = self;
         let rows = resolve_rows(&state.document, rest.mesh(), rest.topology())?;
-        set_up(rest, rows, state, Some(past))
+        let session = set_up(rest, rows, state)?;
+        Ok(Session { progress, opened, last_run, history, transaction, ..session })
     }
 }

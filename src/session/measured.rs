@@ -142,10 +142,14 @@ fn original(scene: &SolvedScene, rest: &RestMesh) -> (Rc<Surface>, Point) {
     other.map_or_else(|| scene.solver().rest_surface(rest.mesh()), |other| (other, [0.0; 3]))
 }
 
-/// Distance of each original vertex to its own surface, a rounding error: `#V`, in its unit.
-pub(super) fn rest_surface_distances(scene: &SolvedScene, rest: &RestMesh) -> Rc<[f64]> {
+/// Distance of each of `positions` (`#V by 3`) to the surface of the opened model, `#V`, in its unit.
+pub(super) fn surface_distances_at(
+    positions: &[Point],
+    scene: &SolvedScene,
+    rest: &RestMesh,
+) -> Rc<[f64]> {
     let (surface, centre) = original(scene, rest);
-    distances(&surface, centre, rest.positions(), &mut Vec::new())
+    distances(&surface, centre, positions, &mut Vec::new())
 }
 
 /// Returns the distance of each point to the surface, whose coordinates are relative to `centre`.

@@ -143,6 +143,15 @@ impl Session {
         Some((most, tolerance, distances.iter().all(|(worst, allowed)| worst <= allowed)))
     }
 
+    /// Returns the largest distance to a hard constraint at `positions`, `#V by 3`; none if no constraint
+    /// is hard.
+    pub(super) fn hard_distance_at(&self, positions: &[Point]) -> Option<f64> {
+        let pose = self.document().pose_positions();
+        let rows = self.required_rows(&Required::of).into_iter();
+        let hard = rows.filter(|(.., require)| require.is_hard());
+        hard.map(|(_, row, _)| farthest(self.mesh(), pose, positions, &row)).reduce(f64::max)
+    }
+
     /// Whether the current shape meets its hard constraints exactly, whatever the scene requires.
     pub(super) fn is_exact(&self) -> bool {
         let tolerance = exact_tolerance(self.rest.mesh());

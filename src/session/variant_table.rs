@@ -1,12 +1,12 @@
 //! Comparison of the kept variants in numbers.
 
 use super::Session;
-use super::state::SceneState;
-use crate::math::twice_vector_area;
+use super::report::Shape;
+use crate::math::{Vec3, twice_vector_area};
 use crate::scene::{Variant, Variants};
-use crate::session::Error;
 use crate::solve::Moved;
 use serde::Serialize;
+use std::rc::Rc;
 
 /// The numbers of a variant.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -33,40 +33,25 @@ pub struct VariantRow {
 
 impl Session {
     /// Returns the numbers of every variant, with a count of the panels beyond `tolerance`.
-    ///
-    /// # Errors
-    /// Never in practice: positions alone do not make the system singular.
-    pub fn variant_table(&self, tolerance: f64) -> Result<Vec<VariantRow>, Error> {
+    pub fn variant_table(&mut self, tolerance: f64) -> Vec<VariantRow> {
         let Variants { kept, design } = self.document().variants.clone();
-        if kept.is_empty() {
-            return Ok(Vec::new());
-        }
-        // This session may be running, and what was measured of its shape stays.
-        let mut copy = Session::open(self.scene(), self.mesh().clone())?;
-        let rows = kept.into_iter().enumerate().map(|(index, Variant { name, positions })| {
-            let is_current = *positions == **self.scene.positions();
-            let state = SceneState { positions, ..copy.scene.state() };
-            copy.scene.go_to(&copy.rest, state)?;
-            let [within, panels] = copy.panels_within(tolerance).unwrap_or_default();
-            Ok(VariantRow {
+        let row = |(index, Variant { name, positions }): (usize, Variant)| {
+            let shape = Shape::At(Rc::clone(&positions));
+            let [beyond, panels] = self.panels_beyond(tolerance, &shape).unwrap_or_default();
+            let at = |&v: &u32| Vec3::from(positions[v as usize]);
+            let faces = self.mesh().faces.iter();
+            let areas = faces.map(|face| 0.5 * twice_vector_area(face.iter().map(at)).length());
+            VariantRow {
                 name,
                 is_design: design == Some(index),
-                is_current,
-                distance: copy.hard_distance().map(|(most, _, _)| most),
-                moved: copy.moved(),
-                area: copy.area(),
+                is_current: positions == *self.scene.positions(),
+                distance: self.hard_distance_at(&positions),
+                moved: self.rest.moved_by(&positions),
+                area: areas.sum(),
                 panels,
-                beyond: panels - within,
-            })
-        });
-        rows.collect()
-    }
-
-    fn area(&self) -> f64 {
-        let now = self.scene.positions();
-        let faces = self.mesh().faces.iter();
-        let twice =
-            faces.map(|face| twice_vector_area(face.iter().map(|&v| now[v as usize].into())));
-        twice.map(|area| 0.5 * area.length()).sum()
+                beyond,
+            }
+        };
+        kept.into_iter().enumerate().map(row).collect()
     }
 }

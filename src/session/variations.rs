@@ -103,14 +103,13 @@ impl Session {
             if shown.of != of {
                 return false;
             }
-            shown.report.clone_from(&report);
         } else {
             if self.is_dragging() || self.generation() != of {
                 return false;
             }
             self.end_transaction();
             let met_before = self.met.take();
-            let shown = ShownVariation { of, report: report.clone(), met_before };
+            let shown = ShownVariation { of, met_before };
             self.begin(TransactionKind::Variation(Box::new(shown)));
         }
         self.scene.show(positions);
@@ -124,9 +123,10 @@ impl Session {
     /// # Errors
     /// If there are too many variants; the shape is then still shown.
     pub fn keep_variation(&mut self) -> Result<bool, Error> {
-        let shown = self.transaction.as_mut().and_then(Transaction::variation_shown);
-        let Some(report) = shown.and_then(|shown| shown.report.clone()) else { return Ok(false) };
-        let Some(transaction) = self.transaction.take() else { return Ok(false) };
+        let Some(report) = self.met_here().map(|met| met.report.clone()) else { return Ok(false) };
+        let Some(transaction) = self.transaction.take_if(|now| now.is_variation()) else {
+            return Ok(false);
+        };
         let start = Rc::clone(&transaction.before().scene.positions);
         match self.make(Edit::KeepVariant { start }) {
             Ok(Some((name, _))) => {

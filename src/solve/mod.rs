@@ -50,7 +50,7 @@ pub use energy::{Constraints, Energy, Handle, HandleIndex, Hold, IterateSeconds}
 pub use error::SolveError;
 pub use exact::{
     Exact, ExactAnswer, Improved, Moved, Require, Requirements, Stage, Unmet, coordinate_rounding,
-    exact_tolerance, farthest, least_move, rest_projections,
+    exact_tolerance, farthest, least_move, projections_at,
 };
 pub use parts::SetupCache;
 pub use problem::Problem;

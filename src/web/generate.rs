@@ -4,7 +4,7 @@
 use super::values::{Js, plain, plains};
 use super::{log_panics, mesh_of, rows_of, thrown};
 use crate::generate::{CurveLabel, NEW_KINDS, NewKind, SpanCurve, SpanError, example, fill, loft};
-use crate::mesh::{Mesh, write_obj_with_comments};
+use crate::mesh::{Mesh, write_obj_with};
 use crate::scene::{NamedEnum, UnitsAndUp, Up};
 use serde::Serialize;
 use tsify::Tsify;
@@ -82,7 +82,7 @@ impl NewSpans {
 /// Returns the text of an OBJ file, with comments that state unit and up axis.
 pub(super) fn obj(mesh: &Mesh, units: &str, up: Up) -> String {
     let comments = UnitsAndUp::comments(units, Some(up), mesh);
-    write_obj_with_comments(mesh, &mesh.positions, &comments)
+    write_obj_with(mesh, &mesh.positions, &[], &comments)
 }
 
 /// Returns the bytes of an example's scene or mesh by the name of the file.

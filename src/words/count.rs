@@ -5,6 +5,11 @@ pub fn count(count: usize, one: &str, many: &str) -> String {
     format!("{} {}", group_digits(count), if count == 1 { one } else { many })
 }
 
+/// The verb of a count: `is`, `are`.
+pub fn is_or_are(count: usize) -> &'static str {
+    if count == 1 { "is" } else { "are" }
+}
+
 /// Formats a whole number, from five digits on with thin spaces between thousands.
 #[cfg_attr(
     all(target_arch = "wasm32", feature = "words"),

@@ -27,7 +27,7 @@ mod number;
 mod typed_length;
 mod units;
 
-pub use count::{and_more, count, group_digits, sentence};
+pub use count::{and_more, count, group_digits, is_or_are, sentence};
 pub use length::{
     ComparedLengths, ROUNDING, area, area_of, compared_lengths, coordinate, decimals_for,
     displacement, length, length_like, limit, limit_like, millimetres, millimetres_limit, moved,

@@ -14,6 +14,15 @@ fn operations_follow_each_other_and_the_scene_goes_along() {
     let less = folder.run(&scene).done();
     assert!(less.contains("12 faces became 9 faces"), "{less}");
     folder.run(&["solve", "less.json", "--iterations", "1"]).done();
+    // Faces stand for their corners: all vertices were snapped.
+    folder
+        .run(&["edit", "flat.obj", "snap", "--step", "7", "--faces", "0", "--out", "few.obj"])
+        .done();
+    let few = folder.read("few.obj");
+    let moved = few.lines().zip(folder.read("flat.obj").lines()).filter(|(a, b)| a != b).count();
+    assert!((1..=4).contains(&moved), "{few}");
+    let missing = folder.run(&["edit", "flat.obj", "weld", "--faces", "99"]);
+    assert!(missing.err.contains("there is no face 99"), "{}", missing.err);
 }
 
 #[test]
@@ -25,6 +34,9 @@ fn what_it_does_not_take_is_said() {
         (&["edit", "flat.obj"], "edit needs an operation after the file: quads, dual"),
         (&["edit", "flat.obj", "iron"], "found `iron`"),
         (&["edit", "flat.obj", "weld", "--corner", "3"], "edit weld takes --distance"),
+        // It cut all faces.
+        (&["edit", "flat.obj", "triangles", "--faces", "3"], "takes --out, found `--faces`"),
+        (&["edit", "flat.obj", "delete", "--vertices", "3"], "takes --faces, --out, found"),
     ] {
         let failed = folder.run(asked);
         assert!(failed.err.contains(expected), "{}", failed.err);

@@ -177,6 +177,24 @@ fn faces_that_turn_the_other_way_change_no_angle() {
     }
 }
 
+/// Where as many faces turn one way as the other there was none, or that over a tangent plane.
+#[test]
+fn curvatures_are_those_of_the_surface_where_every_second_face_turns_the_other_way() {
+    let mesh = patch(12, 0.4, torus);
+    let topology = Topology::new(&mesh);
+    let found = curvatures(&mesh.positions, &mesh.faces, &topology);
+    let faces = mesh.faces.iter().enumerate().map(|(f, face)| {
+        let is_turned = (f / 12 + f % 12) % 2 == 1;
+        if is_turned { face.iter().rev().copied().collect() } else { face.to_vec() }
+    });
+    let mixed = Mesh { faces: faces.collect::<Vec<Vec<u32>>>().iter().collect(), ..mesh.clone() };
+    let others = curvatures(&mixed.positions, &mixed.faces, &Topology::new(&mixed));
+    for (a, b) in found.iter().zip(others) {
+        let (a, b) = (a.expect("it is known"), b.expect("it is known"));
+        assert!((a.gauss() - b.gauss()).abs() < 1e-9 && (a.mean() - b.mean()).abs() < 1e-9);
+    }
+}
+
 #[test]
 fn a_lone_face_and_points_have_no_curvature() {
     let mesh = crate::support::grid::grid(1, 1, |i, j| [f64::from(i), f64::from(j), 0.0]);

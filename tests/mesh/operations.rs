@@ -308,6 +308,40 @@ fn holes_are_closed_and_the_outline_stays() {
     });
     let filled = done(&two, "fill").mesh;
     assert_eq!((filled.faces.len(), Topology::new(&filled).boundary_loops().len()), (50, 2));
+    // So has each of two that touch in a corner: one of them got a back face.
+    let mut touching = flat(1, 1);
+    touching.positions.extend([[2.0, 1.0, 0.0], [2.0, 2.0, 0.0], [1.0, 2.0, 0.0]]);
+    touching.faces.push(&[3, 4, 5, 6]);
+    let none = apply(&touching, "fill", None, &Picked::default());
+    assert!(matches!(none, Err(OperationError::Expected(_))), "{none:?}");
+}
+
+/// There was a solid face over a wall with a window, flaps along it, and it kept its side when all others
+/// were flipped.
+#[test]
+fn faces_that_are_left_as_they_are_turn_with_the_others_and_are_no_opening() {
+    let mut mesh = flat(3, 3);
+    let around = mesh.faces.row(4).to_vec();
+    mesh.faces = mesh.faces.iter().filter(|face| *face != around).collect();
+    mesh.positions.extend([[1.4, 1.4, 0.0], [1.4, 1.6, 0.0], [1.6, 1.4, 0.0]]);
+    let window = [&around[..], &[around[0], 16, 17, 18, 16]].concat();
+    mesh.untouched.push(&window);
+    for picked in [Picked::default(), with_vertices(&[around[0], 16])] {
+        let filled = apply(&mesh, "fill", None, &picked);
+        assert!(matches!(filled, Err(OperationError::Expected(_))), "{filled:?}");
+    }
+    assert_eq!(done(&mesh, "extrude").mesh.faces.len(), 8 + 12);
+    let turned = |mesh: &Mesh, id: &str| {
+        let Edited { mesh: mut made, origins } = done(mesh, id);
+        origins.carry(mesh, &mut made);
+        made
+    };
+    let flipped = turned(&mesh, "flip");
+    let back: Vec<u32> = window[..1].iter().chain(window[1..].iter().rev()).copied().collect();
+    assert_eq!(flipped.untouched.row(0), back);
+    assert_eq!(turned(&flipped, "flip"), mesh);
+    let one = Mesh { untouched: flipped.untouched, ..mesh.clone() };
+    assert_eq!(turned(&one, "unify"), mesh);
 }
 
 #[test]

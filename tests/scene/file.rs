@@ -142,7 +142,7 @@ fn a_constraint_says_whether_it_is_weighed_or_met() {
     ];
     for (words, require) in cases {
         let entry = format!(r#"{{ "kind": "plane", "on": "faces"{words} }}"#);
-        let spec = ConstraintSpec::from_json(&entry).expect("it is a constraint");
+        let spec = serde_json::from_str::<ConstraintSpec>(&entry).expect("it is a constraint");
         assert_eq!(spec.require, require, "{words}");
     }
 }

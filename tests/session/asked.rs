@@ -14,6 +14,6 @@ pub(crate) fn scene(rest: &str) -> Scene {
 /// The edit that adds a constraint of `kind` on `on`.
 pub(crate) fn new(kind: &str, on: &str) -> Edit {
     let text = format!(r#"{{ "kind": "{kind}", "on": {on} }}"#);
-    let spec = ConstraintSpec::from_json(&text).expect("the constraint is valid");
+    let spec = serde_json::from_str::<ConstraintSpec>(&text).expect("the constraint is valid");
     Edit::AddConstraint(NewConstraint { spec, set: None })
 }

@@ -48,8 +48,9 @@ fn a_roof_that_shrinks_to_a_dot_is_told_and_never_called_converged() {
         let collapse = session.collapse();
         assert!(collapse.is_some() && !session.converged(), "{file}");
 
-        // It is told of this shape, and of no other.
+        // It is told of this shape and of that after the first run, and of no other.
         session.undo().unwrap();
+        assert!(session.collapse().is_some() && !session.converged(), "{file}");
         session.undo().unwrap();
         assert_eq!(session.collapse(), None);
         assert_eq!(session.positions(), before);
@@ -204,6 +205,9 @@ fn a_collapse_over_several_runs_or_steps_is_told() {
         session.single_step().unwrap();
     }
     assert!(session.collapse().is_some());
+    session.single_step().unwrap();
+    session.undo().unwrap();
+    assert!(session.collapse().is_some(), "one of its steps is undone");
 }
 
 #[test]

@@ -82,15 +82,15 @@ fn a_handle_that_is_made_and_moved_at_once_is_one_step_or_none() {
     act(&mut session, Deed::Undo);
     assert_eq!(everything(&session), before);
     // A click makes it and moves nothing.
-    session.begin_drag_of_new(vec![7]).expect("the vertex is there");
+    session.drag_through(DragPhase::Make, &[7], &[]).expect("the vertex is there");
     session.end_drag(true);
     assert_eq!(session.undo_and_redo()[0], Some("Make handle"));
     act(&mut session, Deed::Undo);
-    session.begin_drag_of_new(vec![7, 8]).expect("the vertices are there");
+    session.drag_through(DragPhase::Make, &[7, 8], &[]).expect("the vertices are there");
     session.end_drag(true);
     assert_eq!(session.undo_and_redo()[0], Some("Make 2 handles"));
     act(&mut session, Deed::Undo);
-    assert!(session.begin_drag_of_new(vec![VERTICES]).is_err());
+    assert!(session.drag_through(DragPhase::Make, &[VERTICES], &[]).is_err());
     session.end_drag(true);
     assert_eq!(everything(&session), before);
 }
@@ -120,7 +120,8 @@ fn a_drag_that_is_refused_leaves_a_run_as_it_is() {
     let mut session = open();
     session.begin_run();
     session.step().expect("positions stay finite");
-    let error = session.begin_drag_of_new(vec![VERTICES]).expect_err("it does not exist");
+    let error =
+        session.drag_through(DragPhase::Make, &[VERTICES], &[]).expect_err("it does not exist");
     assert!(error.to_string().contains("out of range"), "{error}");
     assert!(session.is_running());
 }

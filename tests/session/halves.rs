@@ -176,28 +176,28 @@ fn whatever_changes_the_shape_or_the_scene_ends_the_half_step() {
 #[test]
 fn the_original_keeps_its_measures_while_the_shape_changes() {
     let mut session = squares("");
-    let values = |session: &mut Session, shape| -> Vec<Vec<f64>> {
+    let values = |session: &mut Session, shape: &Shape| -> Vec<Vec<f64>> {
         let ids = FACE_MEASURES.iter().map(|measure| measure.id);
         ids.map(|id| session.face_values_of(id, shape).expect("it is declared")).collect()
     };
-    let before = values(&mut session, Shape::Now);
-    let angles = session.angles(Shape::Now);
+    let before = values(&mut session, &Shape::Now);
+    let angles = session.angles(&Shape::Now);
     assert_eq!(angles.iter().sum::<u32>(), 64);
     for _ in 0..30 {
         step(&mut session);
     }
-    let original = values(&mut session, Shape::Original);
+    let original = values(&mut session, &Shape::Original);
     for (measure, (before, original)) in FACE_MEASURES.iter().zip(before.iter().zip(&original)) {
         for (a, b) in before.iter().zip(original) {
             let same = (a.is_nan() && b.is_nan()) || (a - b).abs() <= 1e-12 * (1.0 + a.abs());
             assert!(same, "{}: {a} and {b}", measure.id);
         }
     }
-    assert_ne!(values(&mut session, Shape::Now), original);
-    assert_eq!(session.angles(Shape::Original), angles);
+    assert_ne!(values(&mut session, &Shape::Now), original);
+    assert_eq!(session.angles(&Shape::Original), angles);
     // Squares have right angles: more corners come near 90 degrees.
     let right = |angles: &[u32]| angles[17] + angles[18];
-    assert!(right(&session.angles(Shape::Now)) > right(&angles));
+    assert!(right(&session.angles(&Shape::Now)) > right(&angles));
 }
 
 #[test]
@@ -208,7 +208,7 @@ fn asking_for_the_original_does_not_disturb_the_iteration() {
         step(&mut asked);
         step(&mut left_alone);
         for measure in FACE_MEASURES {
-            asked.face_values_of(measure.id, Shape::Original);
+            asked.face_values_of(measure.id, &Shape::Original);
         }
     }
     assert_eq!(asked.positions(), left_alone.positions());

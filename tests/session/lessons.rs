@@ -108,7 +108,7 @@ fn a_lesson_is_written_in_one_step_that_leaves_the_solver_alone() {
     let mut session = solved();
     let before = (session.positions(), session.iteration(), session.solver().energy());
     let text = r#"{ "text": "Other", "goals": [{ "measure": "angles", "at_most": 5 }] }"#;
-    let lesson = Lesson::from_json(text).expect("it is valid");
+    let lesson = serde_json::from_str::<Lesson>(text).expect("it is valid");
     session
         .edit(Edit::SetLesson { lesson: Some(lesson.clone()), unsolved: false })
         .expect("it can be measured");
@@ -343,7 +343,7 @@ fn goals_on_what_is_built_are_told_and_measured_again_when_they_are_handed_in() 
     let mut own = scene();
     let lesson = r#"{ "text": "Flat, and on one sheet.", "goals": [
         { "build": "panel_flatness", "at_most": 0.001 }, { "build": "sheets", "at_most": 1 } ] }"#;
-    let read = Lesson::from_json(lesson).expect("it is a lesson");
+    let read = serde_json::from_str::<Lesson>(lesson).expect("it is a lesson");
     own.lesson = Some(read.clone());
     let again = Scene::from_json(&own.to_json(&bumpy(5))).expect("it reads what it writes");
     assert_eq!(again.lesson, Some(read));
@@ -404,7 +404,10 @@ fn sheets_are_counted_as_the_shape_stands_that_was_handed_in() {
 }
 
 fn scene_with(lesson: &str) -> Scene {
-    Scene { lesson: Some(Lesson::from_json(lesson).expect("it is a lesson")), ..scene() }
+    Scene {
+        lesson: Some(serde_json::from_str::<Lesson>(lesson).expect("it is a lesson")),
+        ..scene()
+    }
 }
 
 /// Largest distance of a panel to its plane, as the session measures it.
@@ -419,7 +422,7 @@ fn session_flatness(results: &Results) -> f64 {
 fn a_goal_on_something_that_is_not_built_is_refused() {
     let mut own = scene();
     let goal = r#"{ "text": "", "goals": [{ "build": "warp", "at_most": 1 }] }"#;
-    own.lesson = Some(Lesson::from_json(goal).expect("it is a lesson"));
+    own.lesson = Some(serde_json::from_str::<Lesson>(goal).expect("it is a lesson"));
     let refused = Session::open(own, bumpy(5)).err().expect("there is none").to_string();
     assert!(
         refused.contains("lesson.goals[0].build") && refused.contains("beam_warp"),

@@ -8,7 +8,7 @@ use serde_json::{Value, json};
 use shape_up::generate::{Plan, PlanLayout, PlanPoint, Support};
 use shape_up::mesh::{BoundingSphere, Mesh, folded_faces};
 use shape_up::scene::{Lesson, Lock, Scene};
-use shape_up::session::{Edit, PanelStart, Session, Verdict};
+use shape_up::session::{DragPhase, Edit, PanelStart, Session, Verdict};
 use shape_up::solve::Require;
 
 /// A session with the weights of an opened mesh.
@@ -166,7 +166,7 @@ fn what_cannot_be_had_ends_with_what_was_reached_and_says_so() {
 fn a_drag_ends_the_press_and_its_end_meets_again_in_the_same_step() {
     let mut session = wave();
     session.make_panels("plane", 1e-3, PanelStart::Now).expect("it has quads");
-    session.begin_drag_of_new(vec![0]).expect("it is there");
+    session.drag_through(DragPhase::Make, &[0], &[]).expect("it is there");
     assert!(!session.is_running() && session.exact().is_none());
     drag(&mut session, [(0, [-0.5, -0.5, 0.5])]).expect("it is a handle");
     (0..20).for_each(|_| assert!(!session.step().expect("it stays finite").ended));
@@ -368,7 +368,7 @@ fn dragged() -> Session {
     session.make_panels("circle", session.tolerance(), PanelStart::Now).expect("it has quads");
     run(&mut session);
     let place = session.positions()[84];
-    session.begin_drag_of_new(vec![84]).expect("it is there");
+    session.drag_through(DragPhase::Make, &[84], &[]).expect("it is there");
     drag(&mut session, [(84, [place[0], place[1], place[2] + 0.3])]).expect("it is a handle");
     session.end_drag(true);
     session

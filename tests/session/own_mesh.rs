@@ -131,7 +131,7 @@ fn only_a_row_that_asks_for_nothing_else_is_switched_on() {
         (vec![level, flat], vec![false, true]),
         (vec![off, flat], vec![false, true]),
     ] {
-        let row = |row: &&str| ConstraintSpec::from_json(row).expect("a constraint");
+        let row = |row: &&str| serde_json::from_str::<ConstraintSpec>(row).expect("a constraint");
         let mut scene = Scene::opened("own.obj");
         scene.constraints = rows.iter().map(row).collect();
         let mesh = crate::support::grid::bumpy(4);

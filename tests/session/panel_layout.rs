@@ -4,9 +4,9 @@
 use crate::session::refine::{everything, open};
 use serde_json::json;
 use shape_up::math::{Vec3, twice_vector_area};
-use shape_up::mesh::{Mesh, Point, Surface};
+use shape_up::mesh::{Mesh, Point, Surface, write_obj};
 use shape_up::quads::{Boundary, RemeshStage};
-use shape_up::scene::{BoundaryCloseness, MeshSource, Scene, SceneError, Target};
+use shape_up::scene::{BoundaryCloseness, BoundaryRequire, MeshSource, Scene, SceneError, Target};
 use shape_up::session::{Edit, Flaw, LayoutSettings, Level, PanelLayout, PanelStart, Session};
 
 const USUAL: LayoutSettings =
@@ -396,4 +396,19 @@ fn panels_on_a_variation_stay_on_its_surface() {
     assert!(session.take_panels(session.generation(), &panels).expect("nothing is locked"));
     let target = session.document().closeness.target.as_ref().and_then(Target::mesh);
     assert_eq!(target.map(|mesh| &mesh.positions), Some(&up));
+}
+
+#[test]
+fn panels_that_are_fitted_to_another_surface_leave_the_outline_of_theirs() {
+    // Their boundary was kept near it, which nobody had chosen.
+    let mut session = opened(vault(10, false));
+    let panels = laid_out(&session, &USUAL).mesh;
+    assert!(session.take_panels(session.generation(), &panels).expect("nothing is locked"));
+    let boundary = |session: &Session| session.document().closeness.boundary.require;
+    assert_eq!(boundary(&session), BoundaryRequire::Soft);
+    let mut raised = vault(10, false);
+    raised.positions.iter_mut().for_each(|point| point[2] += 1.0);
+    let text = write_obj(&raised, &raised.positions);
+    session.edit(Edit::FitTo { name: "raised.obj".to_owned(), text }).expect("it is a mesh");
+    assert_eq!(boundary(&session), BoundaryRequire::Off);
 }

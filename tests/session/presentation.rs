@@ -83,7 +83,7 @@ fn a_variant_that_is_taken_away_is_in_no_step() {
 fn a_lesson_saved_without_its_variants_has_no_step_that_goes_to_one() {
     let mut session = session();
     let goal = r#"{ "text": "Flat.", "goals": [{ "measure": "planarity", "at_most": 1 }] }"#;
-    let lesson = Some(Lesson::from_json(goal).expect("it is a lesson"));
+    let lesson = Some(serde_json::from_str::<Lesson>(goal).expect("it is a lesson"));
     session.edit(Edit::SetLesson { lesson, unsolved: true }).expect("it can be measured");
     let text = session.scene().to_json(session.mesh());
     let saved = Scene::from_json(&text).expect("it reads back");

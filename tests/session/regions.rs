@@ -38,7 +38,7 @@ fn constrained(mesh: Mesh, kind: &str, region: &[u32]) -> Outcome {
     let entry = format!(r#"{{ "kind": "{kind}", "on": "faces" }}"#);
     let spec = ConstraintSpec {
         on: Selector::Vertices(region.into()),
-        ..ConstraintSpec::from_json(&entry).unwrap()
+        ..serde_json::from_str::<ConstraintSpec>(&entry).unwrap()
     };
     session.edit(Edit::AddConstraint(NewConstraint { spec, set: None::<Set> })).unwrap();
     assert_eq!(session.free(), [0; 0], "nothing stands still");

@@ -8,7 +8,7 @@ use proptest::prelude::*;
 use serde_json::Map;
 use shape_up::mesh::write_obj;
 use shape_up::scene::{MeshSource, Scene, Weights};
-use shape_up::session::{Edit, Session};
+use shape_up::session::{DragPhase, Edit, Session};
 
 /// Opens a saved session again, as the page does after a reload.
 pub(crate) fn reopened(text: &str, iteration: u32, history: &[u8], progress: &[u8]) -> Session {
@@ -61,7 +61,7 @@ const TARGET: [f64; 3] = [482_114.0, -65_220.0, 433.0];
 
 /// Begins to drag a vertex that is no handle yet, a handle, and a run of a constraint that is added.
 fn begin_new(session: &mut Session) {
-    session.begin_drag_of_new(vec![7]).expect("it is there");
+    session.drag_through(DragPhase::Make, &[7], &[]).expect("it is there");
     drag(session, [(7, TARGET)]).expect("it is near");
 }
 

@@ -8,7 +8,7 @@ use shape_up::mesh::{Mesh, Point, Scheme};
 use shape_up::scene::{
     AttemptStart, BoundaryCloseness, BoundaryRequire, NamedEnum, Scene, Weights,
 };
-use shape_up::session::{Edit, Flaw, Level, PanelStart, Session, Verdict};
+use shape_up::session::{DragPhase, Edit, Flaw, Level, PanelStart, Session, Verdict};
 
 /// Opens a mesh as one that somebody chooses.
 pub(crate) fn opened(mesh: Mesh) -> Session {
@@ -139,7 +139,7 @@ fn run(session: &mut Session) {
 /// Pulls a new handle at vertex 0 upwards.
 fn pull(session: &mut Session, by: f64) {
     let [x, y, z] = session.mesh().positions[0];
-    session.begin_drag_of_new(vec![0]).expect("it is there");
+    session.drag_through(DragPhase::Make, &[0], &[]).expect("it is there");
     drag(session, [(0, [x, y, z + by])]).expect("nothing is locked");
     session.end_drag(true);
     while !session.step().expect("it stays finite").ended {}

@@ -356,9 +356,10 @@ fn a_set_that_a_constraint_uses_takes_the_constraint_with_it() {
     let mut scene = Scene::new(MeshSource::Inline(Box::new(mesh.clone())));
     scene.sets.insert("some".to_owned(), set(&[0]));
     let spec = r#"{ "kind": "plane", "on": { "each": "face", "in": "some" } }"#;
-    scene
-        .constraints
-        .push(shape_up::scene::ConstraintSpec::from_json(spec).expect("the constraint is valid"));
+    scene.constraints.push(
+        serde_json::from_str::<shape_up::scene::ConstraintSpec>(spec)
+            .expect("the constraint is valid"),
+    );
     let mut session = Session::open(scene, mesh).expect("it fits");
     assert_eq!(session.rows()[0].constraints.members.len(), 1);
     session.edit(set_named("some", &[], &[0, 4, 8])).expect("the faces are there");

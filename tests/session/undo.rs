@@ -8,7 +8,7 @@ use serde_json::{Map, json};
 use shape_up::constraint::Form;
 use shape_up::mesh::{KEPT_TURN, Mesh, Scheme};
 use shape_up::scene::{Goal, GoalOf, Lesson, MeshSource, Scene, Up, Weights};
-use shape_up::session::{Edit, SETTINGS, Session};
+use shape_up::session::{DragPhase, Edit, SETTINGS, Session};
 use shape_up::solve::Require;
 
 const SIDE: u32 = 4;
@@ -197,14 +197,14 @@ pub(crate) fn act(session: &mut Session, deed: Deed) {
         }
         Deed::DragNew { vertex, by, steps: count, keep } => {
             let at = session.positions()[vertex as usize];
-            session.begin_drag_of_new(vec![vertex]).expect("the vertex is there");
+            session.drag_through(DragPhase::Make, &[vertex], &[]).expect("the vertex is there");
             drag(session, [(vertex, moved(at, by))]).expect("the targets are near");
             steps(session, count);
             end(session, keep);
         }
         Deed::CutDrag { vertex, by, edit } => {
             let at = session.positions()[vertex as usize];
-            session.begin_drag_of_new(vec![vertex]).expect("the vertex is there");
+            session.drag_through(DragPhase::Make, &[vertex], &[]).expect("the vertex is there");
             drag(session, [(vertex, moved(at, by))]).expect("the targets are near");
             steps(session, 2);
             // What is refused or changes nothing leaves the drag.

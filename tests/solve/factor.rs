@@ -128,7 +128,8 @@ fn edits_end_where_the_edited_scene_begins() {
                 check_as_opened_anew(&mut session, seed, what);
             }
             let spec = r#"{ "kind": "plane", "on": "rings" }"#;
-            let spec = shape_up::scene::ConstraintSpec::from_json(spec).expect("it is valid");
+            let spec =
+                serde_json::from_str::<shape_up::scene::ConstraintSpec>(spec).expect("it is valid");
             session.edit(Edit::AddConstraint(NewConstraint { spec, set: None })).expect("it fits");
             check_as_opened_anew(&mut session, seed, "add a row");
             while session.undo().expect("every state was regular").is_some() {

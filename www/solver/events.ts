@@ -48,8 +48,8 @@ import type { Connectivity, Loaded, Measure } from './types.ts';
  *   milliseconds since it came.
  * - `activity`: whether the solver runs (Run was pressed and it has not converged); sent after the
  *   frame that belongs to it.
- * - `collapsed`: the run has ended with a collapsed shape (`collapse` tells how), not converged; sent
- *   after its `activity`.
+ * - `collapsed`: the run, or a single step, has ended with a collapsed shape (`collapse` tells how), not
+ *   converged; sent after its `activity`.
  * - `trouble`: an iteration failed; the last good state stays.
  * - `dragEnded`: the drag with this number is over, or was refused; the document follows.
  * - `died`: the state is unusable, the worker must be replaced.

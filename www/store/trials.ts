@@ -114,8 +114,8 @@ export function createTrials(solver: SolverClient, jobs: JobsClient) {
     exactOffer: (goesOn: () => boolean) => run((copy) => copy.tryExact(), goesOn, found),
 
     /**
-     * Searches for lower energy among equally exact shapes; returns how far it came, or undefined if
-     * something changes meanwhile.
+     * Searches for lower energy among shapes that meet the same requirements; returns how far it came,
+     * or undefined if something changes meanwhile.
      * @param goesOn whether to search on
      */
     improvement: (goesOn: () => boolean) => run((copy) => copy.tryImprovement(), goesOn, found),

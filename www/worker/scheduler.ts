@@ -69,7 +69,7 @@ export class Scheduler {
   #progressEvery = PROGRESS_EVERY_MS;
   /** Whether `activity` must be sent, after the frame that belongs to it. */
   #activityDue = false;
-  /** How the run that has ended has collapsed the shape, to be told after that. */
+  /** How the run or the step that has ended has collapsed the shape, to be told after that. */
   #collapse: string | undefined;
   #sliceQueued = false;
   /** Whether the next slice may have to factor the system first. */
@@ -148,7 +148,7 @@ export class Scheduler {
    * @returns the new numbers: their frame waits for a free buffer
    */
   step(): FrameNumbers {
-    this.#isSettled = this.#solver.singleStep();
+    this.#isSettled = this.#single(() => this.#solver.singleStep());
     this.#activityDue = true;
     this.changed();
     return this.#solver.frame(this.isIterating);
@@ -156,7 +156,7 @@ export class Scheduler {
 
   halfStep(): HalfStep {
     const wasDragging = this.#drag !== null;
-    const done = this.#afterDrag(() => this.#solver.halfStep());
+    const done = this.#single(() => this.#afterDrag(() => this.#solver.halfStep()));
     if (done.half !== 'local') {
       this.#isSettled = done.half === 'held' || done.converged;
       this.#activityDue = true;
@@ -168,6 +168,14 @@ export class Scheduler {
       this.frames.due = true;
       this.sendFrame();
     }
+    return done;
+  }
+
+  /** Performs a single step; a collapse is told when it comes, not after each step from there. */
+  #single<T>(step: () => T): T {
+    const before = this.#solver.collapse();
+    const done = step();
+    if (!before) this.#collapse = this.#solver.collapse();
     return done;
   }
 

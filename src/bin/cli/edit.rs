@@ -2,7 +2,7 @@
 
 use crate::cli::tokens::{Token, Tokens};
 use crate::cli::{Failure, input, output, tokens};
-use shape_up::mesh::{MESH_OPERATIONS, MeshOperation};
+use shape_up::mesh::{MESH_OPERATIONS, MeshOperation, Picks};
 use shape_up::session::{self, Remeshing, Session};
 use shape_up::words;
 use std::path::PathBuf;
@@ -33,6 +33,11 @@ pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<Edit, String> {
     let id = id.to_string_lossy();
     let operation =
         MeshOperation::of(&id).map_err(|_| format!("edit does {}, found `{id}`", known()))?;
+    let lists: &[&str] = match operation.picks {
+        Picks::Nothing => &[],
+        Picks::Faces => &["--faces"],
+        Picks::Vertices | Picks::AnyVertices => &["--vertices", "--faces"],
+    };
     let mut sizes = vec![None; operation.sizes.len()];
     let (mut vertices, mut faces, mut out) = (Vec::new(), Vec::new(), None);
     while let Some(word) = tokens.next()? {
@@ -44,15 +49,14 @@ pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<Edit, String> {
         };
         let size = operation.sizes.iter().position(|size| name.strip_prefix("--") == Some(size.id));
         match (name.as_str(), size) {
-            ("--vertices", _) => vertices = tokens.indices(&name)?,
-            ("--faces", _) => faces = tokens.indices(&name)?,
+            ("--vertices", _) if lists.contains(&&*name) => vertices = tokens.indices(&name)?,
+            ("--faces", _) if lists.contains(&&*name) => faces = tokens.indices(&name)?,
             ("--out", _) => out = Some(tokens.mesh_or_scene(&name)?),
             (_, Some(size)) => sizes[size] = Some(tokens.number(&name)?),
             (_, None) => {
-                let sizes: Vec<_> = operation.sizes.iter().map(|s| format!("--{}", s.id)).collect();
-                let takes = [sizes.join(", "), "--vertices, --faces, --out".to_owned()];
-                let takes: Vec<_> = takes.into_iter().filter(|names| !names.is_empty()).collect();
-                let takes = takes.join(", ");
+                let sizes = operation.sizes.iter().map(|size| format!("--{}", size.id));
+                let others = lists.iter().chain(&["--out"]).map(ToString::to_string);
+                let takes = sizes.chain(others).collect::<Vec<_>>().join(", ");
                 return Err(format!("edit {} takes {takes}, found `{name}`", operation.id));
             }
         }
@@ -69,10 +73,14 @@ pub(in crate::cli) fn edit(command: &Edit) -> Result<(), Failure> {
     let offered = offered.into_iter().find(|offered| offered.operation.id == command.operation);
     let defaults = offered.expect("it was found when it was read").defaults;
     let sizes = command.sizes.iter().zip(defaults);
+    // Faces stand for their corners where vertices are taken, as on the page.
+    let mesh = session.mesh();
+    let known = command.faces.iter().filter(|face| (**face as usize) < mesh.faces.len());
+    let corners = known.flat_map(|&face| mesh.faces.row(face as usize)).copied();
     let asked = Remeshing {
         operation: command.operation.to_owned(),
         sizes: sizes.map(|(given, default)| given.unwrap_or(default)).collect(),
-        vertices: command.vertices.clone(),
+        vertices: command.vertices.iter().copied().chain(corners).collect(),
         faces: command.faces.clone(),
     };
     let before = session.mesh().faces.len();

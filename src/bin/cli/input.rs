@@ -102,22 +102,17 @@ fn named_file(scene: &Path, place: &str, file: &str) -> Result<Vec<u8>, Failure>
     read_whole(&beside).map_err(|error| unread(error.to_string()))
 }
 
-/// Reads a mesh file for measurement, welded as [`read`] welds it, and what it states.
+/// Reads a mesh file for measurement, welded as [`read`] welds it, with numbers whose squares are finite,
+/// and what it states.
 pub(super) fn read_mesh(path: &Path) -> Result<(Read, Option<Weld>, UnitsAndUp), Failure> {
     let bytes = bytes(path, "a mesh file")?;
-    let mut read = mesh_of(path, &bytes)?;
-    let weld = read.weld();
-    Ok((read, weld, UnitsAndUp::stated(&bytes)))
-}
-
-/// Reads a mesh from the bytes of its file, with numbers whose squares are finite.
-pub(super) fn mesh_of(path: &Path, bytes: &[u8]) -> Result<Read, Failure> {
-    let read = mesh::read(&path.to_string_lossy(), bytes)
+    let mut read = mesh::read(&path.to_string_lossy(), &bytes)
         .map_err(|error| Failure::Input(error.to_string()))?;
     Scene::default()
         .validate(&read.mesh)
         .map_err(|error| Failure::Input(format!("{}: {error}", path.display())))?;
-    Ok(read)
+    let weld = read.weld();
+    Ok((read, weld, UnitsAndUp::stated(&bytes)))
 }
 
 /// Returns the problems and notes of the mesh reader, one line each.

@@ -3,7 +3,7 @@
 use super::arguments::Parametrize;
 use super::{Failure, input, output};
 use serde::Serialize;
-use shape_up::mesh::{QuasiConformal, Topology, Weld, write_obj_with_uv};
+use shape_up::mesh::{QuasiConformal, Topology, Weld, write_obj_with};
 use shape_up::scene::{NamedEnum, UnitsAndUp};
 use shape_up::solve::{ConformalNorm, ConformalSeconds, FewerFlips, Parametrization, clock};
 use shape_up::words;
@@ -70,7 +70,7 @@ pub(super) fn parametrize(asked: &Parametrize) -> Result<(), Failure> {
         };
         let units = stated.units.as_deref().unwrap_or_default();
         let comments = UnitsAndUp::comments(units, stated.up, original);
-        files.push((out, write_obj_with_uv(original, &original.positions, &uv, &comments)));
+        files.push((out, write_obj_with(original, &original.positions, &uv, &comments)));
         remark = output::left_out(out, original, &stated);
     }
     if let Some(to) = &asked.report {

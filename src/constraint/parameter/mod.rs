@@ -133,6 +133,19 @@ pub enum Form {
     Nothing,
 }
 
+impl Form {
+    /// Returns the words of a choice, each beside what it stands for.
+    pub(crate) const fn words<T, const N: usize>(words: &[(&'static str, T)]) -> [Form; N] {
+        let mut forms = [Form::Nothing; N];
+        let mut i = 0;
+        while i < N {
+            forms[i] = Form::Word(words[i].0);
+            i += 1;
+        }
+        forms
+    }
+}
+
 /// The value of a parameter, as written in JSON.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]

@@ -4,7 +4,7 @@
 //! small (Bobenko and Suris 2008, Liu et al. 2006). Where the edges deviate from them, the mesh has
 //! to rotate them to become circular.
 
-use super::{Curvature, SecondForm, curvatures};
+use super::{Curvature, SecondForm, curvatures, form_on};
 use crate::math::{Vec3, angle, polygon_sides};
 use crate::mesh::{Point, Ragged, Topology};
 
@@ -76,7 +76,8 @@ fn angle_to_principal(along: Vec3<f64>, ends: [Option<Curvature>; 2]) -> Option<
     let (_, e) = (along - normal * normal.dot(along)).length_and_direction();
     let e = e?;
     let f = normal.cross(e);
-    let form = |p, q| 0.5 * (a.form(p, q) + same * b.form(p, q));
+    let [of_a, of_b] = [a, b].map(|end| end.tensor());
+    let form = |p, q| 0.5 * (form_on(&of_a, p, q) + same * form_on(&of_b, p, q));
     let (ee, ef, ff) = (form(e, e), form(e, f), form(f, f));
     let curvature = Curvature::of(SecondForm { axes: [e, f], values: [ee, ef, ff] });
     if !curvature.has_directions(UMBILIC, along.length()) {

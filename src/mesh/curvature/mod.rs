@@ -15,7 +15,8 @@ pub(crate) use field::form_on;
 pub use field::{CurvatureField, Family, SurfacePoint};
 pub use trace::CurvatureLine;
 
-use crate::math::{Vec3, twice_vector_area};
+use crate::math::Vec3;
+use crate::mesh::topology::oriented_areas;
 use crate::mesh::{Point, Ragged, Topology};
 use nalgebra::{Matrix5, Vector5};
 
@@ -35,7 +36,8 @@ pub struct Curvature {
     pub principal: [f64; 2],
     /// The orthogonal unit principal directions; arbitrary if the curvatures are equal.
     pub directions: [Vec3<f64>; 2],
-    /// The unit normal, on the side from which the faces at the vertex turn counterclockwise.
+    /// The unit normal, on the side from which the faces at the vertex turn counterclockwise, or would if
+    /// they agreed with most of their component.
     pub normal: Vec3<f64>,
 }
 
@@ -48,13 +50,6 @@ impl Curvature {
     /// Mean of the principal curvatures; positive if the surface bends towards the normal.
     pub fn mean(&self) -> f64 {
         0.5 * (self.principal[0] + self.principal[1])
-    }
-
-    /// Evaluates the second fundamental form on two tangent vectors.
-    pub fn form(&self, a: Vec3<f64>, b: Vec3<f64>) -> f64 {
-        let along =
-            |i: usize| self.principal[i] * self.directions[i].dot(a) * self.directions[i].dot(b);
-        along(0) + along(1)
     }
 
     /// The second fundamental form as a symmetric tensor.
@@ -103,8 +98,7 @@ pub fn curvatures(
     topology: &Topology,
 ) -> Vec<Option<Curvature>> {
     let at = |v: u32| Vec3::from(positions[v as usize]);
-    let area = |face: &[u32]| twice_vector_area(face.iter().map(|&v| at(v)));
-    let areas: Vec<Vec3<f64>> = faces.iter().map(area).collect();
+    let areas = oriented_areas(positions, faces, topology);
     let of_vertex = |v: u32| {
         let around = topology.vertex_faces().row(v as usize);
         let sum = around.iter().fold(Vec3::zero(), |sum, &f| sum + areas[f as usize]);

@@ -4,10 +4,9 @@
 use super::origins::{Combinations, Edited, Origins};
 use super::parts_under::parts_under;
 use super::rebuild::regrouped;
-use crate::math::{Vec3, marked, mean, twice_vector_area};
-use crate::mesh::{
-    FaceTriangle, Mesh, Point, Ragged, Surface, Topology, Weld, components, orientation,
-};
+use crate::math::{Vec3, marked, mean};
+use crate::mesh::topology::oriented_areas;
+use crate::mesh::{FaceTriangle, Mesh, Point, Ragged, Surface, Topology, Weld, components};
 use std::collections::HashMap;
 
 /// A new vertex whose weight on a corner is at most this does not depend on it.
@@ -15,21 +14,25 @@ const NEGLIGIBLE: f64 = 1e-9;
 /// Nor does one that is no farther from the opposite side than its coordinates are rounded, in units of the
 /// last place: a vertex on a side was computed in a few steps, each of which rounds.
 const ROUNDED: f64 = 8.0;
-/// A face lies on no other one than those whose normals, of length one, have at least this inner product
-/// with the mean of those at its corners: not on the other wall of a shell.
+/// Least inner product of the unit normal of an old face with the mean of those at the corners of a new
+/// face, for the new one to come from it: not from the other wall of a shell.
 const FACING: f64 = -0.5;
 /// A vertex lies on all faces that are nearer than this, relative to the size of the mesh.
 const ON: f64 = 1e-6;
 
 impl Edited {
     /// Returns `cover`, each connected part of which lies on one part of `mesh` that is connected over
-    /// edges, as made from it. A new face comes from [the same one](Mesh::same_faces), else from the old
-    /// face at its centre in that part that faces as those at its corners; sets and groups follow that.
+    /// edges, as made from it. A new face comes from [the same one](Mesh::same_faces), else from the face
+    /// of that part nearest to its centre, among those whose normal agrees with the faces at its corners;
+    /// sets and groups follow that.
     /// Nothing else comes from faces with a vertex whose position is not in the file. Curves stay, and so
     /// do vertices of no face and of faces that are left as they are.
     pub fn covering(mesh: &Mesh, cover: &Mesh) -> Edited {
         let surface = Surface::of_polygons(&mesh.positions, mesh);
-        let is_out = marked(mesh.faces.len(), mesh.faces_left_out(&[]));
+        let same = cover.same_faces(mesh);
+        // Panels come from none of the faces that stay.
+        let staying = same.iter().copied().flatten();
+        let is_out = marked(mesh.faces.len(), mesh.faces_left_out(&[]).into_iter().chain(staying));
         // Panels are laid out on faces that are welded if they share no vertices.
         let mut welded = mesh.clone();
         Weld::apply(&mut welded);
@@ -37,7 +40,6 @@ impl Edited {
         let old_parts = components(welded.faces.len(), topology.edge_faces().iter());
         let new_parts = components(cover.positions.len(), cover.faces.iter());
         let part_of = |old: u32| (!is_out[old as usize]).then(|| old_parts[old as usize]);
-        let same = cover.same_faces(mesh);
         let others = cover.faces.iter().zip(&same).filter(|(_, same)| same.is_none());
         let mut panels =
             vec![Vec::new(); new_parts.iter().max().map_or(0, |&last| last as usize + 1)];
@@ -98,7 +100,8 @@ impl Edited {
         let places: Vec<u32> = now.iter().map(|new| new.unwrap_or(u32::MAX)).collect();
         made.curves = mesh.curves.clone();
         made.curves.rename(&places);
-        let normals = normals(&welded, &topology);
+        let normals = oriented_areas(&welded.positions, &welded.faces, &topology);
+        let normals: Vec<_> = normals.into_iter().map(Vec3::direction_or_zero).collect();
         // The centre of a panel is inside a curved shell, and can be nearer to its other wall, or to another
         // layer.
         let at_centre = |face: &[u32]| {
@@ -134,17 +137,6 @@ impl Mesh {
         }
         self.faces.iter().map(|face| there.get_mut(&corners(self, face))?.pop()).collect()
     }
-}
-
-/// The normals of all faces, of length one, as if neighbours agreed; zero of faces without area.
-fn normals(mesh: &Mesh, topology: &Topology) -> Vec<Vec3<f64>> {
-    let (turned, _) = orientation(&mesh.faces, topology);
-    let normal = |(face, turned): (&[u32], bool)| {
-        let corners = face.iter().map(|&v| Vec3::from(mesh.positions[v as usize]));
-        let normal = twice_vector_area(corners).direction_or_zero();
-        if turned { -normal } else { normal }
-    };
-    mesh.faces.iter().zip(turned).map(normal).collect()
 }
 
 /// The old vertex at which a new vertex lies, if there is one.

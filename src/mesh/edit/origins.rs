@@ -88,9 +88,9 @@ impl Origins {
         }
     }
 
-    /// Gives the mesh `to`, made from `from`, what no operation changes: the faces that are left as they
-    /// are, as long as their vertices are there, and which vertices are not in the file; and the
-    /// statements of its file, which stand between elements, if all of these are still there.
+    /// Gives the mesh `to`, made from `from`, what operations leave: the faces that are left as they are,
+    /// unless it has them already, as long as their vertices are there, and which vertices are not in the
+    /// file; and the statements of its file, which stand between elements, if all of these are still there.
     pub fn carry(&self, from: &Mesh, to: &mut Mesh) {
         let made_of = (0..).zip(self.between.iter());
         let unplaced = made_of.filter(|(_, olds)| olds.iter().any(|&old| from.is_unplaced(old)));
@@ -102,8 +102,9 @@ impl Origins {
         {
             to.order = from.order.clone();
         }
-        to.untouched = Ragged::new();
-        for face in from.untouched.iter() {
+        let turned = std::mem::take(&mut to.untouched);
+        let rows = if turned.is_empty() { &from.untouched } else { &turned };
+        for face in rows.iter() {
             let kept = face.iter().map(|&old| self.vertices[old as usize]);
             let Some(mut face) = kept.collect::<Option<Vec<u32>>>() else { continue };
             // Corners may have been merged.

@@ -4,11 +4,10 @@ use crate::math::{Vec3, mean};
 use crate::mesh::{Point, Surface};
 use std::collections::{BTreeMap, BTreeSet};
 
-/// Returns the part of the old faces, as of `part_of`, under each of several parts, given by their faces:
-/// that which is nearer than `near` to most of their vertices. Those at a seam that is not joined are on
-/// both sides of it, for a strip as narrow as a panel all of them: of parts at as many vertices it is that
-/// with the least sum of distances to the centres of the faces, and of layers at one place one that is
-/// under no other part. None for a part without faces.
+/// Returns for each of several parts, given by their faces, the part of the old faces, as of `part_of`,
+/// that is nearer than `near` to most of its vertices. Ties, as of a strip one panel wide at an open seam:
+/// the least sum of distances to the centres of its faces. Still ties, as of layers at one place: one not
+/// yet given to another part. None for a part without faces.
 pub(super) fn parts_under(
     positions: &[Point],
     parts: &[Vec<&[u32]>],
@@ -127,6 +126,17 @@ mod tests {
             let origins = Edited::covering(&sheets([2, 2]), &sheets([4, 3])).origins;
             let of_layers = origins.faces.indices().iter().map(|face| face / 4);
             assert!(of_layers.eq((0..24).map(|panel| panel / 12)), "{layers:?}");
+            // The first one stays: the panels came from it.
+            let [mut cover, panels] = [sheets([2, 2]), sheets([4, 3])];
+            cover.faces = cover.faces.iter().take(4).collect();
+            let shift = cover.positions.len() as u32;
+            cover.positions.extend(&panels.positions);
+            for panel in panels.faces.iter().skip(12) {
+                cover.faces.push(&panel.iter().map(|v| v + shift).collect::<Vec<_>>());
+            }
+            let origins = Edited::covering(&sheets([2, 2]), &cover).origins;
+            let of_layers = origins.faces.indices().iter().map(|face| face / 4);
+            assert!(of_layers.eq((0..16).map(|face| u32::from(face >= 4))), "{layers:?}");
         }
     }
 }

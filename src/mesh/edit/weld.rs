@@ -1,8 +1,11 @@
 //! Welding of coincident vertices. In a mesh whose faces do not share vertices, faces have no
 //! common edges, and constraints on them would tear it apart.
 
+use crate::math::marked;
 use crate::mesh::coincident::{first_of_group, tolerance, within_face};
-use crate::mesh::{GroupKeyword, Mesh, Point, ProblemKind, Read, diagnose, elements_with_problem};
+use crate::mesh::{
+    GroupKeyword, Mesh, Point, ProblemKind, Read, Topology, diagnose, elements_with_problem,
+};
 use crate::words;
 use std::collections::BTreeSet;
 
@@ -26,8 +29,7 @@ impl Read {
     /// Welds the mesh if its faces do not share vertices, and updates its problems and notes.
     pub fn weld(&mut self) -> Option<Weld> {
         let weld = Weld::apply(&mut self.mesh)?;
-        let of_mesh = diagnose(&weld.original);
-        self.problems.retain(|problem| of_mesh.iter().all(|other| other.kind != problem.kind));
+        self.problems.retain(|problem| !problem.kind.is_of_mesh());
         self.problems.extend(diagnose(&self.mesh));
         if let Some(outdated) = self.on_coincident.take() {
             self.notes.remove(outdated);
@@ -35,7 +37,8 @@ impl Read {
         let left = self.mesh.positions.len();
         let [welded, left] = [weld.original.positions.len() - left, left].map(words::group_digits);
         self.notes.push(format!(
-            "faces do not share vertices: {welded} coincident vertices were welded, and the mesh has {left}"
+            "faces do not share vertices: {welded} coincident vertices were welded, and the mesh has {left}, \
+             which are numbered anew"
         ));
         Some(weld)
     }
@@ -53,10 +56,7 @@ impl Weld {
             return None;
         }
         let tolerance = tolerance(mesh)?;
-        // Solids that touch have two coincident faces: weld such solids within their groups only.
-        let whole = vec![0; mesh.positions.len()];
-        let parts = [whole, groups(mesh)];
-        let (welded, to) = parts.iter().find_map(|parts| {
+        let within = |parts: &[u32]| {
             let mut first = first_of_group(mesh, |v| Some(parts[v as usize]), tolerance);
             let stays = within_face(mesh, &first);
             (0..)
@@ -69,7 +69,12 @@ impl Weld {
             let remain = of_faces.map(|(first, _)| first).collect::<BTreeSet<_>>().len();
             let merge = (used - remain) as f64;
             (merge >= SHARED * used as f64).then(|| merged(mesh, &first))?
-        })?;
+        };
+        // Solids that touch have two coincident faces: weld such solids within their groups only. Copies
+        // of faces are welded by themselves.
+        let (welded, to) = within(&vec![0; mesh.positions.len()])
+            .or_else(|| within(&groups(mesh)))
+            .or_else(|| within(&copies(mesh, tolerance)?))?;
         Some(Weld { original: std::mem::replace(mesh, welded), to, tolerance })
     }
 
@@ -111,6 +116,28 @@ fn merged(mesh: &Mesh, first: &[u32]) -> Option<(Mesh, Vec<u32>)> {
     (on_each_other(&welded) == on_each_other(mesh)).then_some((welded, to))
 }
 
+/// Returns for each vertex 1 if only copies of faces have it, else 0: faces that lie on an earlier one
+/// without sharing its vertices. None where more than two other faces meet at a side of one, as where
+/// solids touch.
+fn copies(mesh: &Mesh, tolerance: f64) -> Option<Vec<u32>> {
+    let mut joined = mesh.clone();
+    joined.faces.rename(&first_of_group(mesh, |_| Some(0), tolerance));
+    let on_earlier = |mesh: &Mesh| elements_with_problem(mesh, ProblemKind::DuplicateFace).faces;
+    let mut is_copy = marked(mesh.faces.len(), on_earlier(&joined));
+    on_earlier(mesh).into_iter().for_each(|face| is_copy[face as usize] = false);
+    let is_crowded = |faces: &[u32]| {
+        let others = faces.iter().filter(|face| !is_copy[**face as usize]).count();
+        others > 2 && others < faces.len()
+    };
+    if !is_copy.contains(&true) || Topology::new(&joined).edge_faces().iter().any(is_crowded) {
+        return None;
+    }
+    let mut of_copies = vec![1; mesh.positions.len()];
+    let rows = mesh.faces.iter().zip(&is_copy).filter(|(_, is_copy)| !**is_copy);
+    rows.flat_map(|(row, _)| row).for_each(|&v| of_copies[v as usize] = 0);
+    Some(of_copies)
+}
+
 /// Returns for each vertex the number, from 1, of an object or group of its faces; 0 without one.
 fn groups(mesh: &Mesh) -> Vec<u32> {
     let mut of_vertex = vec![0; mesh.positions.len()];
@@ -132,7 +159,7 @@ fn uses(mesh: &Mesh) -> Vec<u32> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::mesh::{Topology, read};
+    use crate::mesh::read;
 
     /// A grid of `n * n` quads that do not share vertices; coincident corners differ by up to
     /// `apart`.
@@ -228,6 +255,33 @@ mod tests {
         }
         mesh.positions.extend([[0.0; 3]; 30]);
         assert_eq!(Weld::apply(&mut mesh), None);
+    }
+
+    #[test]
+    fn a_copy_of_a_face_is_left_out_and_the_others_are_welded() {
+        for copied in [0, 12] {
+            let mut mesh = soup(5, 0.0, 1.0);
+            let first = mesh.positions.len() as u32;
+            let row = mesh.faces.row(copied).to_vec();
+            row.iter().for_each(|&v| mesh.positions.push(mesh.positions[v as usize]));
+            mesh.faces.push(&[first, first + 1, first + 2, first + 3]);
+            Weld::apply(&mut mesh).expect("its faces have their own vertices");
+            assert_eq!((mesh.positions.len(), mesh.faces.len()), (40, 26));
+            assert_eq!(Topology::new(&mesh).boundary_loops().len(), 2);
+        }
+        // Of two boxes side by side with such faces no one knows which is to be left out.
+        let mut boxes = Mesh::default();
+        for x in [0.0, 1.0] {
+            let corner = |i: usize| [x + (i & 1) as f64, (i >> 1 & 1) as f64, (i >> 2) as f64];
+            for face in
+                [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]]
+            {
+                let first = boxes.positions.len() as u32;
+                boxes.positions.extend(face.map(corner));
+                boxes.faces.push(&[first, first + 1, first + 2, first + 3]);
+            }
+        }
+        assert_eq!(Weld::apply(&mut boxes), None);
     }
 
     #[test]

@@ -3,10 +3,9 @@
 
 use super::lines::{excerpt, lines};
 use super::number::{Numbering, coordinate};
-use crate::math::marked;
 use crate::mesh::diagnostics::{coincident, examine};
 use crate::mesh::problem::DiagnosticCounts;
-use crate::mesh::{ElementKind, Mesh, MeshProblem, Point, ProblemKind, seams};
+use crate::mesh::{ElementKind, Mesh, MeshProblem, Point, ProblemKind};
 use crate::words;
 
 /// The mesh so far, with the source lines of its vertices and faces.
@@ -181,27 +180,24 @@ impl MeshBuilder {
     }
 
     /// Returns the mesh with its problems and notes, or a fault if it has no usable vertices.
-    pub(crate) fn finish(mut self, text: &str) -> Result<Read, ReadFault> {
+    pub(crate) fn finish(mut self, text: &str) -> Result<Read, ReadError> {
         let positions = &mut self.mesh.positions;
         if positions.is_empty() {
             let expected = format!("expected at least one{}", self.example);
-            return Err(ReadFault::whole(format!("the file has no vertices: {expected}")));
+            return Err(ReadError::whole(format!("the file has no vertices: {expected}")));
         }
         if positions.as_flattened().iter().all(|x| x.is_nan()) {
-            return Err(ReadFault::whole("no coordinate in the file is a number"));
+            return Err(ReadError::whole("no coordinate in the file is a number"));
         }
         let mut coincident = coincident(positions);
         let is_unplaced = |v: &u32| positions[*v as usize].iter().any(|x| x.is_nan());
         self.mesh.unplaced = (0..positions.len() as u32).filter(is_unplaced).collect();
         fill_in(positions);
         positions.shrink_to_fit();
-        examine(&self.mesh, &self.vertex_lines, &self.face_lines, &mut self.counts);
-        // Those at seams are said as a problem.
-        if !coincident.is_empty() && self.counts.of(ProblemKind::UnjoinedVertex) > 0 {
-            let at_seams =
-                marked(self.mesh.positions.len(), seams(&self.mesh).iter().map(|[v, _]| v));
-            coincident.retain(|&v| !at_seams[v]);
-        }
+        let Self { mesh, vertex_lines, face_lines, counts, .. } = &mut self;
+        let at_seams = examine(mesh, vertex_lines, face_lines, counts);
+        // Those at seams, ascending, are reported as a problem.
+        coincident.retain(|&v| at_seams.binary_search(&(v as u32)).is_err());
         let on_coincident = coincident.iter().min().map(|&first| {
             let vertices = words::count(coincident.len(), "vertex lies", "vertices lie");
             let line = self.vertex_lines.get(first);
@@ -247,19 +243,6 @@ pub struct Read {
     pub(crate) on_coincident: Option<usize>,
 }
 
-/// Reason why a file is refused; `read` adds the name of the file and the text of the line.
-pub(crate) struct ReadFault {
-    pub(crate) line: Option<usize>,
-    pub(crate) message: String,
-}
-
-impl ReadFault {
-    /// Returns a fault of the file as a whole.
-    pub(crate) fn whole(message: impl Into<String>) -> Self {
-        ReadFault { line: None, message: message.into() }
-    }
-}
-
 /// Reason why a mesh file was refused.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ReadError {
@@ -271,6 +254,17 @@ pub struct ReadError {
     pub text: String,
     /// The fault, and what was expected instead.
     pub message: String,
+}
+
+impl ReadError {
+    /// Returns a fault at this line, or of the file as a whole; `read` adds the name and the text.
+    pub(crate) fn at(line: Option<usize>, message: impl Into<String>) -> Self {
+        ReadError { line, message: message.into(), file: String::new(), text: String::new() }
+    }
+
+    pub(crate) fn whole(message: impl Into<String>) -> Self {
+        ReadError::at(None, message)
+    }
 }
 
 impl std::fmt::Display for ReadError {

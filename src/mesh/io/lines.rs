@@ -85,7 +85,7 @@ impl Statement {
 
 /// Returns the lines of OBJ, joining those that end in a backslash with the next and numbered by the
 /// first. Neither comments, which may end in a Windows folder path, nor names that end in a backslash
-/// are continued, and no line is whose next one is a statement of its own.
+/// are continued, nor is a line continued if the next begins with a statement.
 pub(crate) fn joined_lines(text: &str) -> impl Iterator<Item = (usize, Cow<'_, str>)> {
     let mut lines = lines(text);
     std::iter::from_fn(move || {

@@ -4,7 +4,7 @@
 //! read as faces, edges as curves. Solids other than tetrahedra are ignored with a note.
 
 use super::builder::MeshBuilder;
-use super::builder::ReadFault;
+use super::builder::ReadError;
 use super::number::Numbering;
 use super::stream::Stream;
 use crate::mesh::{ElementKind, Mesh};
@@ -14,7 +14,7 @@ use std::fmt::Write;
 /// The first word of a file.
 pub(crate) const HEADER: &str = "MeshVersionFormatted";
 
-pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
+pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadError> {
     let mut stream = Stream::new(text);
     let mut builder = MeshBuilder::default();
     let mut dimension = 3;

@@ -17,12 +17,11 @@ pub use formats::{FILE_FORMATS, FileFormat, MeshPart};
 pub(crate) use lines::{decode, lines};
 pub use medit::write_medit;
 pub use number::Decimal;
-pub use obj::{write_obj, write_obj_with_comments, write_obj_with_uv};
+pub use obj::{write_obj, write_obj_with};
 pub use ply::write_ply;
 pub use stl::write_stl;
 
 use super::{Mesh, Point};
-use builder::ReadFault;
 
 /// Reads a mesh from the bytes of the file `name`: OBJ, OFF, Medit, PLY or STL, by the extension, else
 /// by content. Vertices keep their order and numbers; faces, curves and tetrahedra keep their order,
@@ -42,20 +41,19 @@ pub fn read(name: &str, bytes: &[u8]) -> Result<Read, ReadError> {
         _ => decode(bytes),
     };
     let found = match format {
-        _ if bytes.is_empty() => Err(ReadFault::whole("the file is empty")),
+        _ if bytes.is_empty() => Err(ReadError::whole("the file is empty")),
         _ if u32::try_from(bytes.len()).is_err() => {
-            Err(ReadFault::whole("the file is larger than 4 GiB"))
+            Err(ReadError::whole("the file is larger than 4 GiB"))
         }
         Some("ply") if ply::is_one(bytes) => ply::read(bytes),
-        Some("ply") => Err(ReadFault::whole("this is no PLY file: expected `ply` first")),
+        Some("ply") => Err(ReadError::whole("this is no PLY file: expected `ply` first")),
         Some("stl") => stl::read(bytes),
         _ => read_text(format, &text),
     };
     found.and_then(|builder| builder.finish(&text)).map_err(|fault| ReadError {
         file: name.to_owned(),
-        line: fault.line,
         text: fault.line.map(|line| lines::excerpt(&text, line)).unwrap_or_default(),
-        message: fault.message,
+        ..fault
     })
 }
 
@@ -71,23 +69,23 @@ pub fn write_with_ending(
         "ply" => write_ply(mesh, positions, comments),
         "stl" => write_stl(mesh, positions),
         "mesh" => write_medit(&mesh.at(positions)).into_bytes(),
-        _ => write_obj_with_comments(mesh, positions, comments).into_bytes(),
+        _ => write_obj_with(mesh, positions, &[], comments).into_bytes(),
     }
 }
 
-fn read_text(format: Option<&str>, text: &str) -> Result<builder::MeshBuilder, ReadFault> {
+fn read_text(format: Option<&str>, text: &str) -> Result<builder::MeshBuilder, ReadError> {
     if text.trim().is_empty() {
-        return Err(ReadFault::whole("the file is empty"));
+        return Err(ReadError::whole("the file is empty"));
     }
     let known = || format!("expected a file in the format {}", formats::mesh_endings());
     if text.contains('\0') {
-        return Err(ReadFault::whole(format!("this is not a text file; {}", known())));
+        return Err(ReadError::whole(format!("this is not a text file; {}", known())));
     }
     match format.or_else(|| of_content(text)) {
         Some("obj") => Ok(obj::read(text)),
         Some("off") => off::read(text),
         Some("mesh") => medit::read(text),
-        _ => Err(ReadFault::whole(format!("the format is not known; {}", known()))),
+        _ => Err(ReadError::whole(format!("the format is not known; {}", known()))),
     }
 }
 

@@ -149,35 +149,22 @@ impl Ignored {
 /// OBJ has no tetrahedra: they are left out. It has one `o` and one `usemtl` at a time: of several
 /// such groups of an element, the first is written. White space in the name of a `g` becomes `_`.
 pub fn write_obj(mesh: &Mesh, positions: &[Point]) -> String {
-    write(mesh, positions, &[])
+    write_obj_with(mesh, positions, &[], &[])
 }
 
-/// As [`write_obj`], with lines of comments first.
-pub fn write_obj_with_comments(mesh: &Mesh, positions: &[Point], comments: &[String]) -> String {
-    header(comments) + &write_obj(mesh, positions)
-}
-
-/// As [`write_obj`], with a flat map `uv` (`#V by 2`) as texture coordinates, one `vt` per vertex,
-/// and with lines of comments first.
-pub fn write_obj_with_uv(
+/// As [`write_obj`], with a flat map `uv` (`#V by 2`, or empty) as texture coordinates, one `vt` per
+/// vertex, and with lines of comments first.
+pub fn write_obj_with(
     mesh: &Mesh,
     positions: &[Point],
     uv: &[[f64; 2]],
     comments: &[String],
 ) -> String {
-    assert_eq!(uv.len(), positions.len(), "one place in the map for each vertex");
-    header(comments) + &write(mesh, positions, uv)
-}
-
-/// Lines of comments.
-fn header(comments: &[String]) -> String {
-    comments.iter().map(|line| format!("# {line}\n")).collect()
-}
-
-fn write(mesh: &Mesh, positions: &[Point], uv: &[[f64; 2]]) -> String {
     assert_eq!(positions.len(), mesh.positions.len(), "one position for each vertex");
+    assert!(uv.is_empty() || uv.len() == positions.len(), "one place in the map for each vertex");
     let indices = mesh.faces.indices().len() + mesh.curves.indices().len();
     let mut out = String::with_capacity(64 * positions.len() + 10 * indices);
+    comments.iter().for_each(|line| out.extend(["# ", line, "\n"]));
     for position in positions {
         push_row(&mut out, "v", position);
     }

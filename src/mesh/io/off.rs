@@ -3,7 +3,7 @@
 //! texture coordinates of the variants `COFF`, `NOFF` and `STOFF` are ignored.
 
 use super::builder::MeshBuilder;
-use super::builder::ReadFault;
+use super::builder::ReadError;
 use super::number::Numbering;
 use super::stream::Stream;
 use crate::mesh::ElementKind;
@@ -26,7 +26,7 @@ impl<'a> Header<'a> {
     }
 }
 
-pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
+pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadError> {
     let mut stream = Stream::new(text);
     let vertices = vertex_count(&mut stream)?;
     let faces = stream.count("the number of faces")?;
@@ -75,7 +75,7 @@ pub(crate) fn read(text: &str) -> Result<MeshBuilder, ReadFault> {
 }
 
 /// Reads the header, which may be missing, and the number of vertices.
-fn vertex_count(stream: &mut Stream<'_>) -> Result<usize, ReadFault> {
+fn vertex_count(stream: &mut Stream<'_>) -> Result<usize, ReadError> {
     const WHAT: &str = "the number of vertices";
     let word = stream.expect("`OFF`")?;
     let is_digits = |word: &str| word.bytes().all(|byte| byte.is_ascii_digit());

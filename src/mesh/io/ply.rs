@@ -1,7 +1,7 @@
 //! Reads and writes PLY (Turk, <https://paulbourke.net/dataformats/ply/>), as text or binary: vertices,
 //! polygons, and edges as curves. Other elements and properties are named and ignored.
 
-use super::builder::{MeshBuilder, ReadFault};
+use super::builder::{MeshBuilder, ReadError};
 use super::lines::decode;
 use super::number::{Numbering, coordinate, of_number, whole};
 use super::stream::Stream;
@@ -30,7 +30,7 @@ fn unmarked(bytes: &[u8]) -> &[u8] {
     bytes.strip_prefix(b"\xEF\xBB\xBF").unwrap_or(bytes)
 }
 
-pub(super) fn read(bytes: &[u8]) -> Result<MeshBuilder, ReadFault> {
+pub(super) fn read(bytes: &[u8]) -> Result<MeshBuilder, ReadError> {
     let bytes = unmarked(bytes);
     let (header, length) = header(bytes)?;
     let rest = &bytes[length..];
@@ -99,7 +99,7 @@ struct Header {
 }
 
 /// Reads the header; returns it with its length in bytes.
-fn header(bytes: &[u8]) -> Result<(Header, usize), ReadFault> {
+fn header(bytes: &[u8]) -> Result<(Header, usize), ReadError> {
     let mut header = Header { binary: None, elements: Vec::new(), lines: 0 };
     let mut format = None;
     let mut at = 0;
@@ -110,7 +110,7 @@ fn header(bytes: &[u8]) -> Result<(Header, usize), ReadFault> {
         let rest = &bytes[at..];
         let end = rest.iter().position(|byte| matches!(byte, b'\n' | b'\r'));
         let end =
-            end.ok_or_else(|| ReadFault::whole("the file ends where `end_header` was expected"))?;
+            end.ok_or_else(|| ReadError::whole("the file ends where `end_header` was expected"))?;
         let line = decode(&rest[..end]);
         at += end + 1;
         if !is_cr_alone && rest[end..].starts_with(b"\r\n") {
@@ -118,8 +118,7 @@ fn header(bytes: &[u8]) -> Result<(Header, usize), ReadFault> {
         }
         header.lines += 1;
         let words: Vec<&str> = line.split_ascii_whitespace().collect();
-        let fault =
-            |message: &str| ReadFault { line: Some(header.lines), message: message.to_owned() };
+        let fault = |message: &str| ReadError::at(Some(header.lines), message);
         match words[..] {
             ["ply"] | ["comment" | "obj_info", ..] | [] => {}
             ["format", name, ..] => {
@@ -162,7 +161,7 @@ fn header(bytes: &[u8]) -> Result<(Header, usize), ReadFault> {
     }
     match format {
         Some(_) => Ok((header, at)),
-        None => Err(ReadFault::whole("the header has no `format`")),
+        None => Err(ReadError::whole("the header has no `format`")),
     }
 }
 
@@ -204,13 +203,13 @@ impl Value<'_> {
 
 impl<'a> Body<'a> {
     /// Reads a value; `what` describes it in the error at the end of the file.
-    fn value(&mut self, of: Type, what: std::fmt::Arguments<'_>) -> Result<Value<'a>, ReadFault> {
+    fn value(&mut self, of: Type, what: std::fmt::Arguments<'_>) -> Result<Value<'a>, ReadError> {
         match self {
             Body::Text { words, .. } => words.expect(what).map(Value::Word),
             Body::Binary { rest, is_little } => {
                 let (Type::Signed(size) | Type::Unsigned(size) | Type::Float(size)) = of;
                 let Some((own, after)) = rest.split_at_checked(size) else {
-                    return Err(ReadFault::whole(format!(
+                    return Err(ReadError::whole(format!(
                         "the file ends where {what} was expected"
                     )));
                 };
@@ -234,17 +233,15 @@ impl<'a> Body<'a> {
 
     /// Says what follows the last element, if anything. Text that goes on was not understood: its
     /// values are not those of the header.
-    fn rest(&mut self) -> Result<Option<String>, ReadFault> {
+    fn rest(&mut self) -> Result<Option<String>, ReadError> {
         match self {
             Body::Text { words, before } => match words.word() {
                 None => Ok(None),
-                Some(_) => Err(ReadFault {
-                    line: Some(*before + words.line()),
-                    message:
-                        "the file goes on after its last element, expected as many elements and \
-                              values as in its header"
-                            .to_owned(),
-                }),
+                Some(_) => Err(ReadError::at(
+                    Some(*before + words.line()),
+                    "the file goes on after its last element, expected as many elements and \
+                     values as in its header",
+                )),
             },
             Body::Binary { rest, .. } => {
                 let is_blank = rest.iter().all(|byte| byte.is_ascii_whitespace() || *byte == 0);
@@ -295,7 +292,7 @@ impl Element {
         (!names.is_empty()).then(|| format!("{} of {}", names.join(" "), self.name))
     }
 
-    fn read(&self, body: &mut Body<'_>, builder: &mut MeshBuilder) -> Result<(), ReadFault> {
+    fn read(&self, body: &mut Body<'_>, builder: &mut MeshBuilder) -> Result<(), ReadError> {
         let Element { name, count, properties } = self;
         if properties.is_empty() {
             return Ok(());
@@ -314,7 +311,7 @@ impl Element {
                 }
                 let length = length.ok_or_else(|| {
                     let message = format!("expected the length of a list in {name} {index}");
-                    ReadFault { line: body.line(), message }
+                    ReadError::at(body.line(), message)
                 })?;
                 for _ in 0..length {
                     values.push(body.value(property.of, what)?);

@@ -4,7 +4,7 @@
 //! Binary files have single precision. Where that is too little, as at the coordinates of a site, text
 //! is written.
 
-use super::builder::{MeshBuilder, ReadFault};
+use super::builder::{MeshBuilder, ReadError};
 use super::groups::Groups;
 use super::lines::{decode, lines, words};
 use super::number::{Decimal, Numbering, coordinate, of_number};
@@ -23,7 +23,7 @@ const TRIANGLE: usize = 50;
 type Coordinate = (f64, Option<ProblemKind>);
 
 /// Reads a file.
-pub(super) fn read(bytes: &[u8]) -> Result<MeshBuilder, ReadFault> {
+pub(super) fn read(bytes: &[u8]) -> Result<MeshBuilder, ReadError> {
     let mut corners = Corners::default();
     match is_text(bytes) {
         true => read_text(&decode(bytes), &mut corners)?,
@@ -51,16 +51,16 @@ fn beginning(bytes: &[u8]) -> Cow<'_, str> {
     decode(&bytes[..bytes.len().min(1024)])
 }
 
-fn read_binary(bytes: &[u8], corners: &mut Corners) -> Result<(), ReadFault> {
+fn read_binary(bytes: &[u8], corners: &mut Corners) -> Result<(), ReadError> {
     let parts = bytes.split_first_chunk::<HEADER>();
     let (&[.., a, b, c, d], body) = parts.ok_or_else(|| {
-        ReadFault::whole("this is no STL file: expected `solid`, or 84 bytes and triangles")
+        ReadError::whole("this is no STL file: expected `solid`, or 84 bytes and triangles")
     })?;
     let triangles = u32::from_le_bytes([a, b, c, d]) as usize;
     let there = body.len() / TRIANGLE;
     if there < triangles {
         let [there, triangles] = [there, triangles].map(group_digits);
-        return Err(ReadFault::whole(format!(
+        return Err(ReadError::whole(format!(
             "the file ends after {there} of {triangles} triangles: it is not whole, or no STL file"
         )));
     }
@@ -75,7 +75,7 @@ fn read_binary(bytes: &[u8], corners: &mut Corners) -> Result<(), ReadFault> {
     Ok(())
 }
 
-fn read_text(text: &str, corners: &mut Corners) -> Result<(), ReadFault> {
+fn read_text(text: &str, corners: &mut Corners) -> Result<(), ReadError> {
     let mut is_open = false;
     let mut last = String::new();
     for (line, text) in lines(text) {
@@ -103,7 +103,7 @@ fn read_text(text: &str, corners: &mut Corners) -> Result<(), ReadFault> {
         }
     }
     if is_open {
-        return Err(ReadFault::whole("the file ends within a triangle: it is not whole"));
+        return Err(ReadError::whole("the file ends within a triangle: it is not whole"));
     }
     if last != "endsolid" && last != "end" {
         let note = "the file does not end with `endsolid`: more may be missing";

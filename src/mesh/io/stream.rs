@@ -1,7 +1,7 @@
 //! Word stream for the formats that give the number of rows: OFF, Medit and PLY in text.
 
 use super::builder::MeshBuilder;
-use super::builder::ReadFault;
+use super::builder::ReadError;
 use super::lines::{Lines, lines, words};
 use super::number::whole;
 use crate::mesh::ElementKind;
@@ -35,12 +35,12 @@ impl<'a> Stream<'a> {
     }
 
     /// Returns the next word; `what` describes it in the error at the end of the file.
-    pub(crate) fn expect(&mut self, what: impl Display) -> Result<&'a str, ReadFault> {
-        let end = || ReadFault::whole(format!("the file ends where {what} was expected"));
+    pub(crate) fn expect(&mut self, what: impl Display) -> Result<&'a str, ReadError> {
+        let end = || ReadError::whole(format!("the file ends where {what} was expected"));
         self.word().ok_or_else(end)
     }
 
-    pub(crate) fn count(&mut self, what: impl Display) -> Result<usize, ReadFault> {
+    pub(crate) fn count(&mut self, what: impl Display) -> Result<usize, ReadError> {
         let word = self.expect(&what)?;
         word.parse().map_err(|_| self.fault(format!("expected {what}, found `{word}`")))
     }
@@ -50,8 +50,8 @@ impl<'a> Stream<'a> {
         self.line
     }
 
-    pub(crate) fn fault(&self, message: String) -> ReadFault {
-        ReadFault { line: Some(self.line), message }
+    pub(crate) fn fault(&self, message: String) -> ReadError {
+        ReadError::at(Some(self.line), message)
     }
 
     /// Skips the rest of the line; returns whether it had any words.
@@ -105,7 +105,7 @@ impl<'a> Stream<'a> {
         dimension: usize,
         is_packed: bool,
         builder: &mut MeshBuilder,
-    ) -> Result<usize, ReadFault> {
+    ) -> Result<usize, ReadError> {
         let mut rests = 0;
         for vertex in 1..=count {
             let mut coordinates = ["0"; 3];
@@ -128,7 +128,7 @@ impl<'a> Stream<'a> {
         is_packed: bool,
         what: impl Display,
         builder: &mut MeshBuilder,
-    ) -> Result<bool, ReadFault> {
+    ) -> Result<bool, ReadError> {
         let mut first_line = None;
         for _ in 0..corners {
             let word = self.expect(&what)?;

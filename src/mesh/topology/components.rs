@@ -1,7 +1,7 @@
 //! Connected components, and the consistent orientation of their faces.
 
-use crate::math::polygon_sides;
-use crate::mesh::{Ragged, Topology};
+use crate::math::{Vec3, polygon_sides, twice_vector_area};
+use crate::mesh::{Point, Ragged, Topology};
 
 /// Returns the connected component of each of `n_vertices` vertices. The vertices of a clique are
 /// connected: an edge, a face, or the vertices of a constraint. Components are numbered from 0 in
@@ -77,4 +77,19 @@ pub fn orientation(faces: &Ragged, topology: &Topology) -> (Vec<bool>, Vec<u32>)
         }
     }
     (is_turned.into_iter().map(|turned| turned == Some(true)).collect(), contradictions)
+}
+
+/// Returns twice the vector area of each face at `positions` (`#V by 3`), `#F`, as if neighbours agreed:
+/// of faces to be turned (see [`orientation`]) the negative one.
+pub(crate) fn oriented_areas(
+    positions: &[Point],
+    faces: &Ragged,
+    topology: &Topology,
+) -> Vec<Vec3<f64>> {
+    let (turned, _) = orientation(faces, topology);
+    let area = |(face, turned): (&[u32], bool)| {
+        let area = twice_vector_area(face.iter().map(|&v| Vec3::from(positions[v as usize])));
+        if turned { -area } else { area }
+    };
+    faces.iter().zip(turned).map(area).collect()
 }

@@ -9,6 +9,7 @@ mod edge_lines;
 mod local;
 mod strips;
 
+pub(crate) use components::oriented_areas;
 pub use components::{components, orientation};
 pub use edge_lines::{Repeated, edge_lines, repeated};
 pub use local::{corners, hinges, stars};

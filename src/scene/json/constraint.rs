@@ -2,28 +2,16 @@
 
 use crate::constraint::{KINDS, Kind, KindError, Selector};
 use crate::json::{
-    Either, JsonError, Object, SplitKeys, from_text, indices, object, points, present, word_or,
+    Either, JsonError, Object, SplitKeys, indices, object, points, present, word_or,
 };
 use crate::mesh::Point;
-use crate::scene::{
-    ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, Hold, RowNumber, SceneError,
-};
+use crate::scene::{ConstraintSpec, EasedFaces, HANDLE_WEIGHT, HandleSpec, Hold, RowNumber};
 use crate::solve::Require;
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{Deserialize, Deserializer, Error, MapAccess, Unexpected, Visitor};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use serde_json::{Map, Value};
 use std::fmt;
-
-impl ConstraintSpec {
-    /// Reads one entry of a scene's list of constraints.
-    ///
-    /// # Errors
-    /// As [`crate::scene::Scene::from_json`].
-    pub fn from_json(json: &str) -> Result<ConstraintSpec, SceneError> {
-        Ok(from_text(json)?)
-    }
-}
 
 /// The keys common to all constraints; all others are parameters of the kind.
 const KEYS: [&str; 7] = ["kind", "on", "weight", "enabled", "name", "require", "eased"];
@@ -205,14 +193,6 @@ fn handle_of(file: HandleFile) -> Result<HandleSpec, JsonError> {
     let error = |path, message: &str| Err(JsonError::new(path, message));
     if vertices.is_empty() {
         return error("vertices", "the list is empty, expected at least one vertex");
-    }
-    if let Some(targets) = &targets
-        && targets.len() != vertices.len()
-    {
-        let (found, expected) = (targets.len(), vertices.len());
-        let message =
-            format!("found {found} targets, expected one for each of the {expected} vertices");
-        return error("targets", &message);
     }
     let hold = match weight {
         Some(_) if fixed => {

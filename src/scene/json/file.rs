@@ -4,6 +4,7 @@ use super::layout::laid_out;
 use crate::constraint::Set;
 use crate::json::{JsonError, SplitKeys, from_text, object, present};
 use crate::mesh::Mesh;
+use crate::scene::validate::check_handle_numbers;
 use crate::scene::{MeshSource, Results, Scene, SceneError};
 use serde::de::value::MapAccessDeserializer;
 use serde::de::{DeserializeOwned, MapAccess, Visitor};
@@ -55,7 +56,9 @@ impl Results {
     /// # Errors
     /// As [`Scene::from_json`].
     pub fn from_json(text: &str) -> Result<Results, SceneError> {
-        Ok(read_file(text, "results", RESULTS)?)
+        let results: Results = read_file(text, "results", RESULTS)?;
+        (0..).zip(&results.handles).try_for_each(|(i, handle)| check_handle_numbers(i, handle))?;
+        Ok(results)
     }
 
     /// Writes the file that [`Results::from_json`] reads.

@@ -172,7 +172,7 @@ impl Forecast {
         };
         let some = |&[on_saddles, all]: &[usize; 2]| on_saddles as f64 > SADDLE_SHARE * all as f64;
         if let Some([on_saddles, all]) = self.saddles.filter(some) {
-            let are = if on_saddles == 1 { "is" } else { "are" };
+            let are = words::is_or_are(on_saddles);
             let [some, all] = [on_saddles, all].map(words::group_digits);
             words += &format!(
                 " {some} of {all} faces with more than four corners {are} where the surface is a saddle: flat panels \

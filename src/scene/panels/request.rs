@@ -178,13 +178,16 @@ pub fn offers_new_panels(mesh: &Mesh, topology: &Topology) -> bool {
 
 /// Returns the change of the mesh that mends a problem of it, if there is one.
 pub fn problem_suggestion(kind: ProblemKind) -> Option<MeshSuggestion> {
-    match kind {
+    let (id, label, words) = match kind {
         ProblemKind::UnjoinedVertex => {
-            let words = "Nothing keeps the patches together at the seam.".to_owned();
-            Some(MeshSuggestion { label: "Join them", ..MeshSuggestion::new("join", words)? })
+            ("join", "Join them", "Nothing keeps the patches together at the seam.")
         }
-        _ => None,
-    }
+        ProblemKind::FlippedNeighbour => {
+            ("unify", "Turn them", "The front of some faces is on the other side.")
+        }
+        _ => return None,
+    };
+    Some(MeshSuggestion { label, ..MeshSuggestion::new(id, words.to_owned())? })
 }
 
 /// Returns the change of the mesh after which the offered kinds apply, if there is one: none applies

@@ -46,7 +46,7 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
             }
             let require = within.map_or(Require::Soft, Require::Within);
             let document = &mut draft.document;
-            let info = document.request_panels(&kind, require, draft.mesh)?;
+            let info = document.request_panels(&kind, require, draft.rest.mesh())?;
             let by =
                 |smoother, on_surface| ChosenAttempt { smoother, on_surface, ..Default::default() };
             match from {
@@ -117,7 +117,7 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
             }
             let words = format!("Save set {name}");
             draft.document.sets.insert(name, set);
-            draft.document.check_sets(draft.mesh)?;
+            draft.document.check_sets(draft.rest.mesh())?;
             words
         }
         Edit::RemoveSet { name } => {
@@ -143,12 +143,13 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
         }
         Edit::FitTo { name, text } => {
             let read = read_second(&name, &text, &draft.document)?;
-            let document = &mut draft.document;
-            // The curves that it is held on are those of the original; one that is held beside another
-            // surface is so by the user's choice.
-            if document.closeness.to != ClosenessTo::Target {
-                document.closeness.boundary.require = BoundaryRequire::Off;
+            let target = draft.document.closeness.target_mesh();
+            // The curves that it is held on are those of the original, which new panels have beside its
+            // surface; one that is held beside another surface is so by the user's choice.
+            if target.is_none() || draft.rest.original(target).is_some() {
+                draft.document.closeness.boundary.require = BoundaryRequire::Off;
             }
+            let document = &mut draft.document;
             document.closeness.to = ClosenessTo::Target;
             document.closeness.target = Some(Target::Mesh(read.mesh.into()));
             // Without a weight nothing would be drawn to it.
@@ -159,7 +160,7 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
         }
         Edit::TakePose { name, text } => {
             let read = read_second(&name, &text, &draft.document)?;
-            draft.document.pose = Some(Pose::of(&name, read, draft.mesh)?);
+            draft.document.pose = Some(Pose::of(&name, read, draft.rest.mesh())?);
             format!("Take the pose of {name}")
         }
         Edit::LeavePose => {
@@ -271,7 +272,7 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
     };
     if !is_press {
         let Draft { before, document, .. } = draft;
-        document.own_changes_since(before);
+        document.keep_user_changes(before);
         let is_elsewhere = document.attempt.from != before.attempt.from;
         if is_elsewhere || asks_otherwise(before, document) {
             let mut rows = document.constraints.iter();
@@ -283,15 +284,15 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
     }
     check_changes(draft, &handles)?;
     // Renaming or removing a row can break these too; the saved scene could not be opened.
-    check_lesson(&draft.document, draft.mesh)?;
-    check_presentation(&draft.document, draft.mesh)?;
+    check_lesson(&draft.document, draft.rest.mesh())?;
+    check_presentation(&draft.document, draft.rest.mesh())?;
     Ok(name)
 }
 
 /// Refuses that a name stands for the group of the mesh no longer, or from now on: what is on it would
 /// be on other elements.
 fn check_name_of_group(name: &str, draft: &Draft<'_>) -> Result<(), SceneError> {
-    if !draft.mesh.has_group(name) {
+    if !draft.rest.mesh().has_group(name) {
         return Ok(());
     }
     let message =
@@ -315,7 +316,7 @@ fn add(new: NewConstraint, draft: &mut Draft<'_>) -> String {
     spec.number = RowNumber::default();
     let name = format!("Add {}", label_of(&spec));
     let target = ConstraintTarget { on: spec.on, set };
-    let (on, named) = target.named_in(&draft.document.sets, draft.mesh);
+    let (on, named) = target.named_in(&draft.document.sets, draft.rest.mesh());
     spec.on = on;
     draft.document.sets.extend(named);
     draft.document.constraints.push(spec);

@@ -104,9 +104,9 @@ pub enum Edit {
     },
     /// Holds all vertices closer to their rest positions.
     HoldCloser,
-    /// Keeps vertices close to the surface of a mesh file instead of the original and its boundary, with a
-    /// weight of 1 if closeness has none. A file that states another unit or up axis than the model has is
-    /// refused.
+    /// Keeps vertices close to the surface of a mesh file instead of the original and its boundary, or of
+    /// another such surface, with a weight of 1 if closeness has none. A file that states another unit or
+    /// up axis than the model has is refused.
     FitTo {
         /// The name of the file.
         name: String,

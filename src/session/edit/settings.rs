@@ -32,17 +32,6 @@ impl NamedEnum for bool {
     const WORDS: &'static [(&'static str, bool)] = &[("on", true), ("off", false)];
 }
 
-/// Returns the words of a choice as forms of its value.
-const fn forms<T: NamedEnum, const N: usize>() -> [Form; N] {
-    let mut forms = [Form::Nothing; N];
-    let mut i = 0;
-    while i < N {
-        forms[i] = Form::Word(T::WORDS[i].0);
-        i += 1;
-    }
-    forms
-}
-
 /// All settings, in the order in which hosts list them.
 pub const SETTINGS: &[Setting] = &[
     Setting {
@@ -50,7 +39,7 @@ pub const SETTINGS: &[Setting] = &[
             "closeness",
             "Stay near",
             "surface",
-            const { &forms::<ClosenessTo, 4>() },
+            const { &Form::words::<_, 4>(ClosenessTo::WORDS) },
         )
         .called(&[("rest", "original position")]),
         summary: "Surface: vertices may glide along the original surface, or along its curves if the file has no faces. Original position: each stays near it. None: no closeness. Target: near another surface, read from a file.",
@@ -61,7 +50,7 @@ pub const SETTINGS: &[Setting] = &[
             "boundary",
             "Boundary stays on its curve",
             "off",
-            const { &forms::<BoundaryRequire, 3>() },
+            const { &Form::words::<_, 3>(BoundaryRequire::WORDS) },
         )
         .called(&[("exact", "exactly"), ("soft", "nearly")]),
         summary: "Boundary vertices glide along their own curve, and corners stay. Exactly: always. Nearly: weighed against the other terms.",
@@ -82,7 +71,7 @@ pub const SETTINGS: &[Setting] = &[
             "smoothness",
             "Smooth",
             "surface",
-            const { &forms::<SmoothnessOf, 2>() },
+            const { &Form::words::<_, 2>(SmoothnessOf::WORDS) },
         ),
         summary: "Smooths the surface itself, or only its displacement, which keeps bumps and creases.",
         group: SMOOTH,
@@ -92,7 +81,7 @@ pub const SETTINGS: &[Setting] = &[
             "weighting",
             "Neighbours count",
             "auto",
-            const { &forms::<Weighting, 4>() },
+            const { &Form::words::<_, 4>(Weighting::WORDS) },
         ),
         summary: "Uniform: all alike. Cotangent (triangles) and polygon (any faces): by the shape of the faces between them. Auto: cotangent on triangle meshes, else uniform.",
         group: SMOOTH,
@@ -102,7 +91,7 @@ pub const SETTINGS: &[Setting] = &[
             "accelerator",
             "Accelerator",
             "quasi-newton",
-            const { &forms::<Accelerator, 3>() },
+            const { &Form::words::<_, 3>(Accelerator::WORDS) },
         ),
         summary: "How earlier steps speed up the next ones. None: the plain iteration of the paper.",
         group: SOLVER,

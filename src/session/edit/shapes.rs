@@ -14,7 +14,7 @@ pub(super) fn reset(draft: &mut Draft<'_>) {
 
 /// Goes back to the rest shape, with these variants.
 pub(super) fn back_to_rest(variants: Variants, draft: &mut Draft<'_>) {
-    draft.positions = draft.mesh.positions.as_slice().into();
+    draft.positions = draft.rest.positions().into();
     draft.document.variants = variants;
     draft.iteration = Some(0);
 }

@@ -145,13 +145,14 @@ impl Session {
         // What has a tolerance is not too large for it.
         let too_large = places(&|row| report.too_large && row.require == Require::Exact);
         let why = "the mesh, or one constraint, is too large for that";
+        let are = words::is_or_are(report.misses);
         let (cannot, mut more) = if !too_large.is_empty() && too_large.len() == unmet.len() {
-            (format!("are not exact: {why}"), String::new())
+            (format!("{are} not exact: {why}"), String::new())
         } else if report.contradiction {
             let closest = " This is the closest shape that was found.".to_owned();
             ("cannot be satisfied together".to_owned(), closest)
         } else {
-            ("are not satisfied yet".to_owned(), String::new())
+            (format!("{are} not satisfied yet"), String::new())
         };
         if !too_large.is_empty() && too_large.len() < unmet.len() {
             more += &format!(" {} cannot be exact: {why}.", too_large.join(", "));
@@ -226,16 +227,16 @@ impl TrialWords {
         TrialWords { taken: "Also made exact.".to_owned(), offered, away }
     }
 
-    /// The words of a search for an equally exact shape of less energy.
+    /// The words of a search for a shape of less energy that meets the same requirements.
     pub(crate) fn of_improvement(numbers: &TrialNumbers<'_>) -> TrialWords {
         let [before, after] = numbers.energy;
         let gain = if before > 0.0 { words::part(1.0 - after / before) } else { words::part(0.0) };
         let far = words::length(numbers.by, numbers.units);
         TrialWords {
             taken: format!(
-                "Improved: what is not exact is satisfied better ({gain} less energy). It moved by up to {far}."
+                "Improved: {gain} less energy; all that is required stays satisfied. It moved by up to {far}."
             ),
-            offered: "No better exact shape was found nearby.".to_owned(),
+            offered: "No better shape was found nearby.".to_owned(),
             away: String::new(),
         }
     }

@@ -30,7 +30,7 @@ pub struct FaceMeasure {
     /// Whether values have both signs; 0 is then the middle, and neither best nor worst.
     pub signed: bool,
     #[serde(skip)]
-    values: fn(&mut Session, Shape) -> Vec<f64>,
+    values: fn(&mut Session, &Shape) -> Vec<f64>,
 }
 
 /// A measure without its texts, unit and values, which every declaration states.
@@ -210,11 +210,11 @@ impl Session {
     /// Returns the values of the measure `id`, `#F`, in its unit; NaN for faces without one, such
     /// as a triangle, which has no diagonals. None if there is no such measure.
     pub fn face_values(&mut self, id: &str) -> Option<Vec<f64>> {
-        self.face_values_of(id, Shape::Now)
+        self.face_values_of(id, &Shape::Now)
     }
 
     /// As [`Session::face_values`], for the current or the original shape.
-    pub fn face_values_of(&mut self, id: &str, shape: Shape) -> Option<Vec<f64>> {
+    pub fn face_values_of(&mut self, id: &str, shape: &Shape) -> Option<Vec<f64>> {
         let measure = FaceMeasure::of(id)?;
         Some((measure.values)(self, shape))
     }
@@ -230,16 +230,18 @@ impl Session {
     }
 
     /// Returns how far the values of the measure `id` are from 0, `#F`: of a signed one, on either side.
-    /// Errors are judged by them. As [`Session::face_values`].
+    /// Errors are judged by them: rounding errors are 0. As [`Session::face_values`].
     pub(in crate::session) fn face_errors(&mut self, id: &str) -> Option<Vec<f64>> {
-        Some(self.face_values(id)?.into_iter().map(f64::abs).collect())
+        let (unit, size) = (FaceMeasure::of(id)?.unit, self.rest.diameter());
+        let values = self.face_values(id)?.into_iter();
+        Some(values.map(|value| unit.or_zero(value.abs(), size)).collect())
     }
 
     /// Returns the vertex values (`#V`) whose maximum over a face is its measure `id`. Only for
     /// distances to the original, which vary gradually; none for any other measure.
     pub fn corner_values(&self, id: &str) -> Option<Vec<f64>> {
         match id {
-            "surface" => Some(self.surface_distances(Shape::Now).to_vec()),
+            "surface" => Some(self.surface_distances(&Shape::Now).to_vec()),
             "displacement" => Some(self.rest.displacements(self.scene.positions()).collect()),
             _ => None,
         }
@@ -253,7 +255,7 @@ fn worst_corner(model: &Session, values: &[f64]) -> Vec<f64> {
 }
 
 /// Evaluates every quad; NaN for other faces.
-fn of_quads(model: &Session, shape: Shape, value: impl Fn([Vec3<f64>; 4]) -> f64) -> Vec<f64> {
+fn of_quads(model: &Session, shape: &Shape, value: impl Fn([Vec3<f64>; 4]) -> f64) -> Vec<f64> {
     let positions = model.positions_of(shape);
     let of_face = |face: &[u32]| match face {
         &[a, b, c, d] => value([a, b, c, d].map(|v| Vec3::from(positions[v as usize]))),
@@ -262,11 +264,11 @@ fn of_quads(model: &Session, shape: Shape, value: impl Fn([Vec3<f64>; 4]) -> f64
     model.faces().iter().map(of_face).collect()
 }
 
-fn diagonals(model: &mut Session, shape: Shape) -> Vec<f64> {
+fn diagonals(model: &mut Session, shape: &Shape) -> Vec<f64> {
     of_quads(model, shape, |quad| 100.0 * diagonal_ratio(quad.map(Point::from)))
 }
 
-fn diagonals_by_edge(model: &mut Session, shape: Shape) -> Vec<f64> {
+fn diagonals_by_edge(model: &mut Session, shape: &Shape) -> Vec<f64> {
     of_quads(model, shape, |quad| {
         let [a, b, c, d] = quad;
         let mean_diagonal = 0.5 * ((c - a).length() + (d - b).length());
@@ -275,7 +277,7 @@ fn diagonals_by_edge(model: &mut Session, shape: Shape) -> Vec<f64> {
     })
 }
 
-fn fourth_corners(model: &mut Session, shape: Shape) -> Vec<f64> {
+fn fourth_corners(model: &mut Session, shape: &Shape) -> Vec<f64> {
     of_quads(model, shape, |quad| {
         let off = |i: usize| {
             let [p, a, b, c] = [0, 1, 2, 3].map(|step| quad[(i + step) % 4]);
@@ -286,7 +288,7 @@ fn fourth_corners(model: &mut Session, shape: Shape) -> Vec<f64> {
     })
 }
 
-fn planarity_by_edge(model: &mut Session, shape: Shape) -> Vec<f64> {
+fn planarity_by_edge(model: &mut Session, shape: &Shape) -> Vec<f64> {
     let positions = model.positions_of(shape);
     let measures = model.measures_of(shape);
     let faces = model.faces().iter().zip(&measures.planarity_distances);
@@ -301,7 +303,7 @@ fn mean_length(corners: impl IntoIterator<Item = Vec3<f64>>) -> f64 {
     sum / corners.len() as f64
 }
 
-fn edge_changes(model: &mut Session, shape: Shape) -> Vec<f64> {
+fn edge_changes(model: &mut Session, shape: &Shape) -> Vec<f64> {
     let (now, rest) = (model.positions_of(shape), model.rest.positions());
     // A side without length at rest has no relative change.
     let change = |ends| {
@@ -313,7 +315,7 @@ fn edge_changes(model: &mut Session, shape: Shape) -> Vec<f64> {
     model.faces().iter().map(worst).collect()
 }
 
-fn angles(model: &mut Session, shape: Shape) -> Vec<f64> {
+fn angles(model: &mut Session, shape: &Shape) -> Vec<f64> {
     let positions = model.positions_of(shape);
     let at = |v: u32| Vec3::from(positions[v as usize]);
     let worst = |face: &[u32]| {
@@ -329,30 +331,25 @@ fn angles(model: &mut Session, shape: Shape) -> Vec<f64> {
     model.faces().iter().map(worst).collect()
 }
 
-fn off_curvature_lines(model: &mut Session, shape: Shape) -> Vec<f64> {
+fn off_curvature_lines(model: &mut Session, shape: &Shape) -> Vec<f64> {
     let (faces, topology) = (model.faces(), model.rest.topology());
     CurvatureLines::new(&model.positions_of(shape), faces, topology).of_faces(faces, topology)
 }
 
 /// Curvature of the smooth surface through the vertices.
-fn curvature(model: &mut Session, shape: Shape, quantity: fn(&Curvature) -> f64) -> Vec<f64> {
+fn curvature(model: &mut Session, shape: &Shape, quantity: fn(&Curvature) -> f64) -> Vec<f64> {
     let (faces, topology) = (model.faces(), model.rest.topology());
     face_curvatures(&model.positions_of(shape), faces, topology, quantity)
 }
 
-fn worst_surface_distances(model: &mut Session, shape: Shape) -> Vec<f64> {
+fn worst_surface_distances(model: &mut Session, shape: &Shape) -> Vec<f64> {
     worst_corner(model, &model.surface_distances(shape))
 }
 
-fn worst_displacements(model: &mut Session, shape: Shape) -> Vec<f64> {
-    match shape {
-        Shape::Now => {
-            let displacements: Vec<f64> =
-                model.rest.displacements(model.scene.positions()).collect();
-            worst_corner(model, &displacements)
-        }
-        Shape::Original => vec![0.0; model.faces().len()],
-    }
+fn worst_displacements(model: &mut Session, shape: &Shape) -> Vec<f64> {
+    let positions = model.positions_of(shape);
+    let displacements: Vec<f64> = model.rest.displacements(&positions).collect();
+    worst_corner(model, &displacements)
 }
 
 fn length(positions: &[Point], ends: [u32; 2]) -> f64 {

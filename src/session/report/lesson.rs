@@ -296,11 +296,9 @@ impl Session {
                 values.filter(|value| !value.is_nan()).reduce(f64::max)
             }
             GoalOf::Beyond { measure, tolerance } => {
-                let (unit, size) = (FaceMeasure::of(measure)?.unit, self.rest.diameter());
                 let values = self.face_errors(measure)?;
                 let has_one = values.iter().any(|value| !value.is_nan());
-                let is_beyond = |value: &&f64| unit.or_zero(**value, size) > *tolerance;
-                let beyond = values.iter().filter(is_beyond).count();
+                let beyond = values.iter().filter(|value| **value > *tolerance).count();
                 has_one.then_some(beyond as f64)
             }
             GoalOf::Build(id) => self.measured.build_number(&self.scene, id).flatten(),

@@ -2,16 +2,18 @@
 
 use crate::mesh::{Measures, Point, Ragged};
 use crate::session::Session;
-use crate::session::measured::rest_surface_distances;
+use crate::session::measured::surface_distances_at;
 use std::rc::Rc;
 
 /// The shape to be measured.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug, PartialEq)]
 pub enum Shape {
     /// The current positions.
     Now,
     /// The rest shape: the model as opened.
     Original,
+    /// These positions, `#V by 3`, such as those of a kept variant.
+    At(Rc<[Point]>),
 }
 
 impl Session {
@@ -30,29 +32,32 @@ impl Session {
     }
 
     /// Positions, `#V by 3`.
-    pub(super) fn positions_of(&self, shape: Shape) -> Rc<[Point]> {
+    pub(super) fn positions_of(&self, shape: &Shape) -> Rc<[Point]> {
         match shape {
             Shape::Now => Rc::clone(self.scene.positions()),
             Shape::Original => self.rest.positions().into(),
+            Shape::At(positions) => Rc::clone(positions),
         }
     }
 
     /// Returns planarity and circularity of the faces.
-    pub(super) fn measures_of(&self, shape: Shape) -> Rc<Measures> {
+    pub(super) fn measures_of(&self, shape: &Shape) -> Rc<Measures> {
         match shape {
             Shape::Now => self.measures(),
-            Shape::Original => {
+            Shape::Original | Shape::At(_) => {
                 let diameter = self.rest.mesh().size();
-                Rc::new(Measures::new(self.rest.positions(), self.faces(), diameter))
+                Rc::new(Measures::new(&self.positions_of(shape), self.faces(), diameter))
             }
         }
     }
 
     /// Returns the distance of each vertex to the surface of the opened model, `#V`, in its unit.
-    pub(super) fn surface_distances(&self, shape: Shape) -> Rc<[f64]> {
+    pub(super) fn surface_distances(&self, shape: &Shape) -> Rc<[f64]> {
         match shape {
             Shape::Now => self.measured.surface_distances(&self.scene, &self.rest),
-            Shape::Original => rest_surface_distances(&self.scene, &self.rest),
+            Shape::Original | Shape::At(_) => {
+                surface_distances_at(&self.positions_of(shape), &self.scene, &self.rest)
+            }
         }
     }
 }

@@ -5,8 +5,8 @@ use super::constraint_map::ConstraintCoverage;
 use super::measuring::Shape;
 use crate::constraint::{Centring, Projected};
 use crate::session::Session;
-use crate::session::state::edges_among;
-use crate::solve::{Constraints, rest_projections};
+use crate::session::state::{RestMesh, SolvedScene, edges_among};
+use crate::solve::projections_at;
 
 /// Every point of every enabled constraint with its projection. A vertex has one point in each of
 /// its constraints.
@@ -56,35 +56,25 @@ impl Session {
 
     /// Returns the residual of each face, `#F`, in the unit of the mesh: the largest distance of a
     /// corner to its projection in any enabled constraint.
-    pub(super) fn residuals_of(&mut self, shape: Shape) -> Vec<f64> {
+    pub(super) fn residuals_of(&mut self, shape: &Shape) -> Vec<f64> {
         let mut squares = vec![0.0f64; self.rest.positions().len()];
-        let mut take = |points: &Projected| {
+        projected_at(&mut self.scene, &self.rest, shape, |_, points| {
             for (vertex, displacement) in points {
                 let worst = &mut squares[*vertex as usize];
                 *worst = worst.max(displacement.length_squared());
             }
-        };
-        match shape {
-            Shape::Now => self.scene.projected(|_, points| take(points)),
-            Shape::Original => {
-                let enabled = self.scene.rows().iter().filter(|row| row.enabled);
-                let constraints: Vec<Constraints> =
-                    enabled.map(|row| row.constraints.clone()).collect();
-                let pose = self.scene.document().pose_positions();
-                rest_projections(self.rest.mesh(), pose, &constraints, take);
-            }
-        }
+        });
         let worst = |face: &[u32]| face.iter().fold(0.0, |w: f64, &v| w.max(squares[v as usize]));
         self.faces().iter().map(|face| worst(face).sqrt()).collect()
     }
 
     /// Returns the largest distance of a corner of each face to the shape that the enabled row `index`
     /// asks of it, `#F`, in the unit of the mesh; zero for faces on which it does not act.
-    pub(super) fn row_distances(&mut self, index: usize) -> Vec<f64> {
+    pub(super) fn row_distances(&mut self, index: usize, shape: &Shape) -> Vec<f64> {
         let enabled: Vec<usize> = self.scene.enabled_rows().collect();
         let mut cover = ConstraintCoverage::new(self.rest.mesh(), self.rest.topology());
         let mut distances = vec![0.0f64; self.rest.mesh().faces.len()];
-        self.scene.projected(|row, points| {
+        projected_at(&mut self.scene, &self.rest, shape, |row, points| {
             if enabled[row] != index {
                 return;
             }
@@ -97,5 +87,24 @@ impl Session {
             }
         });
         distances
+    }
+}
+
+/// Calls `each` with every constraint of a shape, as [`SolvedScene::projected`].
+fn projected_at(
+    scene: &mut SolvedScene,
+    rest: &RestMesh,
+    shape: &Shape,
+    mut each: impl FnMut(usize, &Projected),
+) {
+    let positions = match shape {
+        Shape::Now => return scene.projected(each),
+        Shape::Original => rest.positions(),
+        Shape::At(positions) => positions,
+    };
+    let pose = scene.document().pose_positions();
+    for (row, index) in scene.enabled_rows().enumerate() {
+        let constraints = &scene.rows()[index].constraints;
+        projections_at(positions, rest.mesh(), pose, constraints, |points| each(row, points));
     }
 }

@@ -94,8 +94,9 @@ impl Unpaired {
                      Check the direction of its mirror or axis."
                 ),
                 some => format!(
-                    "{what}: {} of {of} vertices have a partner; the others are free.",
-                    group_digits(some)
+                    "{what}: {} of {of} vertices {} a partner; the others are free.",
+                    group_digits(some),
+                    if some == 1 { "has" } else { "have" }
                 ),
             }
         };
@@ -182,6 +183,7 @@ impl Session {
             trace: progress.trace().map(<[TraceEntry]>::to_vec),
         }
     }
+
     /// Says for each constraint on pairs of vertices, some of which have no partner, how many have one.
     pub fn unpaired_words(&self) -> Vec<String> {
         Unpaired::words(&self.scene)

@@ -74,14 +74,14 @@ impl Session {
     }
 
     /// Histogram of the face angles, in bins of five degrees from 0 to 180.
-    pub fn angles(&self, shape: Shape) -> Vec<u32> {
+    pub fn angles(&self, shape: &Shape) -> Vec<u32> {
         angle_histogram(&self.positions_of(shape), self.faces(), ANGLE_BINS)
     }
 
     /// One line per bin: its lower and upper angle, and the number of corners of the original and of
     /// the current shape in it.
     pub fn angles_csv(&self) -> String {
-        let [original, now] = [Shape::Original, Shape::Now].map(|shape| self.angles(shape));
+        let [original, now] = [Shape::Original, Shape::Now].map(|shape| self.angles(&shape));
         let mut text = "from (°),to (°),original,now\n".to_owned();
         let width = 180 / ANGLE_BINS;
         for (bin, (original, now)) in original.iter().zip(&now).enumerate() {

@@ -2,13 +2,14 @@
 //! and how far the vertices have moved for it.
 
 use super::inspect::{is_usual, panel_row};
+use super::measuring::Shape;
 use crate::constraint::Info;
 use crate::math::nearest_round;
 use crate::mesh::{Mesh, Topology};
 use crate::session::Session;
 use crate::session::run::{Bend, Flaw, Level, SurfaceDistance, Tried};
 use crate::solve::{Moved, Require};
-use crate::words::{group_digits, limit};
+use crate::words::{group_digits, is_or_are, limit};
 use serde::Serialize;
 
 /// How many panels have the required shape, and what became of the design. Lengths are in the unit of
@@ -96,7 +97,7 @@ struct Panels {
 
 impl Panels {
     /// Returns those of the row that asks panels for a shape, see [`panel_row`]; none if no row does.
-    fn of(session: &mut Session) -> Option<Panels> {
+    fn of(session: &mut Session, shape: &Shape) -> Option<Panels> {
         let document = session.document();
         let row = panel_row(document)?;
         let (kind, is_usual) = {
@@ -106,8 +107,8 @@ impl Panels {
         let adjective = kind.panels?;
         let [faces, _] = session.members(row);
         let distances = match is_usual {
-            true => session.face_values(kind.measure?)?,
-            false => session.row_distances(row),
+            true => session.face_values_of(kind.measure?, shape)?,
+            false => session.row_distances(row, shape),
         };
         (!faces.is_empty()).then_some(Panels { row, kind, adjective, faces, distances })
     }
@@ -140,7 +141,7 @@ impl Session {
     /// Returns how many panels have the shape that the scene asks of them, with distances up to
     /// `tolerance`. None if no row constrains panels.
     pub fn verdict(&mut self, tolerance: f64) -> Option<Verdict> {
-        let panels = Panels::of(self)?;
+        let panels = Panels::of(self, &Shape::Now)?;
         let Panels { row, kind, adjective, faces, .. } = &panels;
         let distance = |face: u32| panels.distance(face);
         let worst_face =
@@ -201,16 +202,18 @@ impl Session {
         Some(verdict)
     }
 
-    /// Returns the number of panels within `tolerance`, and of all panels; none if no row constrains
-    /// panels. It takes as long as [`Session::panel_progress`].
-    pub(crate) fn panels_within(&mut self, tolerance: f64) -> Option<[usize; 2]> {
-        Panels::of(self).map(|panels| [panels.within(tolerance), panels.faces.len()])
+    /// Returns the number of panels of a shape beyond `tolerance`, and of all panels; none if no row
+    /// constrains panels.
+    pub(crate) fn panels_beyond(&mut self, tolerance: f64, shape: &Shape) -> Option<[usize; 2]> {
+        let panels = Panels::of(self, shape)?;
+        let all = panels.faces.len();
+        Some([all - panels.within(tolerance), all])
     }
 
     /// Says how many panels are within `tolerance` so far; none if no row constrains panels. It takes no
     /// longer than an iteration, unlike the whole verdict.
     pub fn panel_progress(&mut self, tolerance: f64) -> Option<String> {
-        let panels = Panels::of(self)?;
+        let panels = Panels::of(self, &Shape::Now)?;
         let (within, of) = (panels.within(tolerance), panels.faces.len());
         let tolerance = limit(tolerance, &self.document().units);
         Some(count_in_words(panels.adjective, within, of, &tolerance))
@@ -222,7 +225,9 @@ pub(super) fn count_in_words(adjective: &str, within: usize, of: usize, toleranc
     let shape = format!("{adjective} within {tolerance}");
     let all = group_digits(of);
     match of {
-        _ if within < of => format!("{} of {all} panels are {shape}.", group_digits(within)),
+        _ if within < of => {
+            format!("{} of {all} panels {} {shape}.", group_digits(within), is_or_are(within))
+        }
         1 => format!("The panel is {shape}."),
         _ => format!("All {all} panels are {shape}."),
     }

@@ -7,7 +7,7 @@
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Mesh, Point, Ragged, Surface, at_vertices, diagonal};
 use crate::scene::Scene;
-use crate::session::state::{RestMesh, SceneState, SolvedScene, same_problem};
+use crate::session::state::{RestMesh, SceneState, SolvedScene, same_positions, same_problem};
 use std::fmt;
 use std::rc::Rc;
 
@@ -60,40 +60,35 @@ pub enum CollapseReason {
     Moved,
 }
 
-/// How the last run has ended, and the shapes that the next one may go on from.
+/// How a run has ended, of the state that it led to.
 pub(crate) struct LastRun {
     pub(crate) collapse: Option<Collapse>,
-    /// The shape that its end was compared with, and that at its beginning; `#V by 3`.
+    /// The shape that its end was compared with, `#V by 3`.
     start: Rc<[Point]>,
-    begun: Rc<[Point]>,
     end: SceneState,
 }
 
 impl LastRun {
-    /// Records a run that began in the state `begun`, compared with the shape `start`.
+    /// Records a run that has ended, compared with the shape `start`.
     pub(crate) fn new(
         start: Rc<[Point]>,
-        begun: &SceneState,
         scene: &SolvedScene,
         collapse: Option<Collapse>,
     ) -> LastRun {
-        let begun = Rc::clone(&begun.positions);
-        LastRun { collapse, start, begun, end: scene.state() }
+        LastRun { collapse, start, end: scene.state() }
     }
 
-    /// Returns the shape that a run from the state `begun` is compared with, if it goes on with this run:
-    /// from its end or, after undo, from its beginning, with the same problem or after a collapse. So a
-    /// collapse over several runs or single steps is one as well.
-    pub(crate) fn start_of(&self, begun: &SceneState) -> Option<Rc<[Point]>> {
-        let is_its = |shape| Rc::ptr_eq(shape, &begun.positions);
-        let goes_on = [&self.begun, &self.end.positions].into_iter().any(is_its)
-            && (self.collapse.is_some() || same_problem(&self.end.document, &begun.document));
+    /// Returns the shape that a run from its end, with this `document`, is compared with, if it goes on
+    /// with this run: with the same problem, or after a collapse. So a collapse over several runs or
+    /// single steps is one as well.
+    pub(crate) fn start_of_next(&self, document: &Scene) -> Option<Rc<[Point]>> {
+        let goes_on = self.collapse.is_some() || same_problem(&self.end.document, document);
         goes_on.then(|| Rc::clone(&self.start))
     }
 
     /// Whether it ended with the current shape of the scene.
     pub(crate) fn is_of(&self, scene: &SolvedScene) -> bool {
-        Rc::ptr_eq(&self.end.positions, scene.positions())
+        same_positions(&self.end.positions, scene.positions())
     }
 }
 
@@ -156,7 +151,7 @@ fn extent_of(positions: &[Point], mesh: &Mesh) -> f64 {
     }
 }
 
-/// What a shape is compared with: it has collapsed if it has compared with all of it.
+/// What a shape is compared with: it has collapsed if it has relative to each of these.
 struct Before<'a> {
     /// The shape at the beginning, the original, and another pose; each `#V by 3`.
     shapes: Vec<&'a [Point]>,

@@ -3,7 +3,6 @@
 //! | file | holds |
 //! |---|---|
 //! | `progress` | the iteration count, and the record of the energies |
-//! | `trace` | the energies of the iterations |
 //! | `half_step` | the outcome of an iteration, and of its halves |
 //! | `collapse` | whether a run has collapsed the shape |
 //! | `interactive_size` | the largest mesh that can be dragged smoothly |
@@ -26,7 +25,6 @@ mod met;
 mod outcome;
 mod progress;
 mod shape_measure;
-mod trace;
 
 pub use attempt::Tried;
 pub(crate) use attempt::{Attempt, Search};
@@ -43,6 +41,6 @@ pub use met::{Eased, ExactReport};
 pub(crate) use outcome::Outcome;
 pub use outcome::{Flaw, Level};
 pub(crate) use progress::Progress;
+pub use progress::TraceEntry;
 pub use shape_measure::{Bend, BendChange, SurfaceDistance};
 pub(crate) use shape_measure::{ShapeMeasure, shortest_edge};
-pub use trace::TraceEntry;

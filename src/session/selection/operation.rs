@@ -60,18 +60,7 @@ const PLAIN: Operation = Operation {
     again: None,
 };
 
-/// The ids of the measures of faces, as words.
-const MEASURES: [Form; FACE_MEASURES.len()] = {
-    let mut words = [Form::Nothing; FACE_MEASURES.len()];
-    let mut i = 0;
-    while i < words.len() {
-        words[i] = Form::Word(FACE_MEASURES[i].id);
-        i += 1;
-    }
-    words
-};
-
-/// The same with their names on the page.
+/// The ids of the measures of faces, with their names on the page.
 const MEASURE_LABELS: [(&str, &str); FACE_MEASURES.len()] = {
     let mut labels = [("", ""); FACE_MEASURES.len()];
     let mut i = 0;
@@ -81,6 +70,9 @@ const MEASURE_LABELS: [(&str, &str); FACE_MEASURES.len()] = {
     }
     labels
 };
+
+/// The ids alone.
+const MEASURES: [Form; FACE_MEASURES.len()] = Form::words(&MEASURE_LABELS);
 
 /// All selection operations, in the order in which hosts list them.
 pub const OPERATIONS: &[Operation] = &[

@@ -1,5 +1,6 @@
 //! A state of a solved scene, and the draft by which an edit makes the next one.
 
+use super::rest_mesh::RestMesh;
 use crate::mesh::{Mesh, Point};
 use crate::scene::{Pose, Scene, Target};
 use crate::solve::Handle;
@@ -75,7 +76,7 @@ pub(crate) struct Draft<'a> {
     /// The document as edited.
     pub(crate) document: Scene,
     /// The rest shape.
-    pub(crate) mesh: &'a Mesh,
+    pub(crate) rest: &'a RestMesh,
     pub(crate) handles: Rc<[Handle]>,
     /// `#V by 3`.
     pub(crate) positions: Rc<[Point]>,

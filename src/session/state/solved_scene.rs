@@ -221,8 +221,8 @@ impl SolvedScene {
     ) -> Result<(T, SceneState), SceneError> {
         let before = &*self.document;
         let SceneState { handles, positions, .. } = self.state();
-        let (document, mesh) = (before.clone(), rest.mesh());
-        let mut draft = Draft { before, document, mesh, handles, positions, iteration: None };
+        let document = before.clone();
+        let mut draft = Draft { before, document, rest, handles, positions, iteration: None };
         let done = propose(&mut draft)?;
         let Draft { document, handles, positions, .. } = draft;
         Ok((done, SceneState { document: self.shared(document), handles, positions }))

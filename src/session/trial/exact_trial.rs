@@ -128,8 +128,8 @@ impl Session {
 
     /// Accepts the shape of a trial, `#V by 3`, as a step of undo, in which its rows are required to be
     /// exact. An `unasked` one leaves the requirements as they are, and is a part of the last step if that
-    /// moved the shape. Returns false if the trial began at another shape or with another problem, during a drag, or while
-    /// a variation is shown.
+    /// moved the shape. Returns false if the trial began at another shape or with another problem, during
+    /// a drag, or while a variation is shown.
     ///
     /// # Errors
     /// If the lesson locks the constraints and some become exact, or the system would be singular;

@@ -1,10 +1,11 @@
 //! The steps of undo and redo, and the state that each of them leads to.
 
+use crate::session::run::LastRun;
 use crate::session::state::{RestMesh, SceneState};
 use std::rc::Rc;
 
-/// Memory limit in bytes, as they are counted by [`SceneState::unshared_bytes`]. Beyond it steps of undo are dropped before those of
-/// redo, in each list the one that is farthest from now first.
+/// Memory limit in bytes, as they are counted by [`SceneState::unshared_bytes`]. Beyond it steps of undo
+/// are dropped before those of redo, in each list the one that is farthest from now first.
 const LIMIT_BYTES: usize = 64 << 20;
 
 /// A state of a session.
@@ -14,6 +15,8 @@ pub(crate) struct SessionState {
     pub(crate) scene: SceneState,
     /// Number of iterations up to the state.
     pub(crate) iteration: u32,
+    /// The run that ended with its shape, unless that came about otherwise.
+    pub(crate) last_run: Option<Rc<LastRun>>,
 }
 
 impl SessionState {

@@ -9,7 +9,9 @@ use super::history::{History, NamedStep, SessionState};
 use crate::mesh::{Point, first_out_of_range};
 use crate::scene::{ClosenessTo, MeshSource, Scene, SceneError, Variants};
 use crate::session::Error;
-use crate::session::state::{RestMesh, SceneState, flat, grouped, same_document, same_positions};
+use crate::session::state::{
+    RestMesh, SceneState, flat, grouped, same_document, same_positions, same_problem,
+};
 use std::rc::Rc;
 
 /// The first bytes of a history.
@@ -17,6 +19,8 @@ const MAGIC: &[u8] = b"shape-up steps 2";
 /// Limits of saved bytes, and of steps per list; the farthest steps are dropped first.
 const LIMIT_BYTES: usize = 20_000_000;
 const LIMIT_STEPS: usize = 1000;
+/// The byte after the lists if the first state is not that of the document as it was opened.
+const CUT: u8 = 1;
 /// First byte of each part of a state: as in the previous state, or written out.
 const SAME: u8 = 0;
 const OTHER: u8 = 1;
@@ -28,16 +32,19 @@ const SAME_POSE: u8 = 8;
 const KNOWN: u8 = SAME_VARIANTS | SAME_TARGET | SAME_POSE;
 
 /// Writes the steps of undo and redo of a session in the state `now`. `last` is the step that is under
-/// way, unless it is a part of the one before it.
+/// way, unless it is a part of the one before it; `opened` is the document as it was opened, if a run of
+/// its problem is as its author intends.
 pub(crate) fn write_history(
     [undo, redo]: [&[NamedStep]; 2],
     now: &SessionState,
     last: Option<NamedStep>,
+    opened: Option<&Scene>,
 ) -> Vec<u8> {
     // What was undone cannot be redone after another step.
     let redo = if last.is_some() { &[] } else { redo };
     let mut out = MAGIC.to_vec();
-    for (steps, last) in [(undo, last), (redo, None)] {
+    let mut is_from_opened = false;
+    for (steps, last, opened) in [(undo, last, opened), (redo, None, None)] {
         // The states are written beside the last one written.
         let (mut near, mut written, mut count) = (now, Vec::new(), 0);
         for (name, state) in last.iter().chain(steps.iter().rev()).take(LIMIT_STEPS) {
@@ -60,9 +67,11 @@ pub(crate) fn write_history(
             count += 1;
             near = state;
         }
+        is_from_opened |= opened.is_some_and(|opened| same_problem(opened, &near.scene.document));
         write_count(&mut out, count);
         out.extend(written);
     }
+    out.extend((!is_from_opened).then_some(CUT));
     out
 }
 
@@ -72,8 +81,8 @@ pub(crate) fn write_state(state: &SessionState) -> Vec<u8> {
     out
 }
 
-/// Reads the steps of undo and redo of a session in the state `now`. Also returns the document before
-/// the first step of undo.
+/// Reads the steps of undo and redo of a session in the state `now`. Also returns the document as it was
+/// opened, if the steps begin with it.
 ///
 /// # Errors
 /// If the bytes are damaged or belong to another scene.
@@ -111,8 +120,9 @@ pub(crate) fn read_history(
         }
         list.reverse();
     }
-    let first = lists[0].first().map(|(_, state)| Rc::clone(&state.scene.document));
-    Ok((History::of(lists, now), first))
+    let first = lists[0].first().map_or(now, |(_, state)| state);
+    let opened = bytes.0.is_empty().then(|| Rc::clone(&first.scene.document));
+    Ok((History::of(lists, now), opened))
 }
 
 /// Reads a state of a session on its mesh, which is in the state `now`.
@@ -202,7 +212,7 @@ fn read(
         _ => return Err(bytes.damaged("positions").into()),
     };
     let scene = SceneState { document, handles, positions };
-    Ok(SessionState { rest: Rc::clone(&near.rest), scene, iteration })
+    Ok(SessionState { rest: Rc::clone(&near.rest), scene, iteration, last_run: None })
 }
 
 /// Shares sets and rows with the document `near`, where they are equal: each has been read anew. Rows
@@ -287,5 +297,30 @@ impl<'a> Bytes<'a> {
             None => Ok(positions),
             Some(_) => Err(self.damaged("positions that are not too far out")),
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::mesh::Mesh;
+    use crate::session::Session;
+
+    #[test]
+    fn what_was_opened_is_known_where_the_steps_begin_with_it() {
+        // Where the first ones were left out the problem of now was taken for it: no collapse was told.
+        let mesh = Mesh {
+            positions: vec![[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]],
+            faces: [[0, 1, 2]].into_iter().collect(),
+            ..Mesh::default()
+        };
+        let session = Session::open(Scene::opened("a.obj"), mesh).expect("it fits");
+        let now = session.state();
+        let is_known = |opened: Option<&Scene>| {
+            let bytes = write_history([&[], &[]], &now, None, opened);
+            read_history(&bytes, &now).expect("it was written so").1.is_some()
+        };
+        let other = Scene { weights: Default::default(), ..session.document().clone() };
+        assert!(is_known(Some(session.document())) && !is_known(Some(&other)) && !is_known(None));
     }
 }

@@ -1,7 +1,7 @@
 //! A drag or run under way: many changes that become one step of undo.
 
 use super::history::SessionState;
-use crate::session::run::{ExactReport, Met};
+use crate::session::run::Met;
 use crate::session::state::{same_document, same_positions};
 use crate::solve::Handle;
 use crate::words;
@@ -26,8 +26,6 @@ pub(crate) enum TransactionKind {
 pub(crate) struct ShownVariation {
     /// The generation of the shape that is varied.
     pub(crate) of: u32,
-    /// How well the shape meets the hard constraints, if it was brought back onto them.
-    pub(crate) report: Option<ExactReport>,
     /// How the shape that is varied meets them.
     pub(crate) met_before: Option<Met>,
 }

@@ -9,6 +9,7 @@ use crate::math::{Vec3, add_scaled, inner_product};
 use crate::mesh::{Mesh, Point, Ragged};
 use crate::solve::energy::Constraints;
 use crate::solve::local_frame::{centre_and_extent, rows};
+use std::slice;
 
 /// Greatest number of steps of conjugate gradients; with fewer the movement is smaller, never
 /// greater.
@@ -45,16 +46,17 @@ pub fn least_move(mesh: &Mesh, constraints: &[Constraints]) -> Moved {
 }
 
 /// Calls `each` with the vertices of every constraint and the displacements to their projected
-/// points, at the rest shape of `mesh` and in its unit. Kinds take their rest shape from the
-/// `pose`, `#V by 3`, if given.
-pub fn rest_projections(
+/// points, at `positions` (`#V by 3`) and in the unit of `mesh`, the rest shape. Kinds take theirs from
+/// the `pose`, `#V by 3`, if given.
+pub fn projections_at(
+    positions: &[Point],
     mesh: &Mesh,
     pose: Option<&[Point]>,
-    constraints: &[Constraints],
+    constraints: &Constraints,
     mut each: impl FnMut(&Projected),
 ) {
-    let x = rows(&mesh.positions, centre_and_extent(mesh).0);
-    for hard in &mut HardRows::at_rest(mesh, pose, constraints).batches {
+    let x = rows(positions, centre_and_extent(mesh).0);
+    for hard in &mut HardRows::at_rest(mesh, pose, slice::from_ref(constraints)).batches {
         hard.batch.projected(&x, &mut each);
     }
 }

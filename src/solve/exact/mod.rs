@@ -24,7 +24,7 @@ mod requirement;
 
 pub use answer::{ExactAnswer, Improved, Moved, Unmet};
 pub use answer::{coordinate_rounding, exact_tolerance, farthest};
-pub use least_move::{least_move, rest_projections};
+pub use least_move::{least_move, projections_at};
 pub use requirement::{Require, Requirements};
 
 use super::clock;

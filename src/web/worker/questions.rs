@@ -107,15 +107,15 @@ impl Solver {
 
     /// Returns the numbers of the variants that were kept.
     #[wasm_bindgen(js_name = variantTable)]
-    pub fn variant_table(&self) -> Result<Vec<Js<VariantRow>>, JsValue> {
-        let session = self.open()?;
-        plains(&session.variant_table(session.tolerance()).map_err(thrown)?)
+    pub fn variant_table(&mut self) -> Result<Vec<Js<VariantRow>>, JsValue> {
+        let session = self.open_mut()?;
+        plains(&session.variant_table(session.tolerance()))
     }
 
     /// Returns the histograms of the corner angles, of the original and of the current shape.
     pub fn angles(&self) -> Result<Js<Angles>, JsValue> {
         let session = self.open()?;
-        let [original, now] = [Shape::Original, Shape::Now].map(|shape| session.angles(shape));
+        let [original, now] = [Shape::Original, Shape::Now].map(|shape| session.angles(&shape));
         plain(&Angles { original, now })
     }
 

@@ -131,7 +131,7 @@ impl Solver {
     /// Returns the values of a measure on the faces of the original, `#F`, in its unit.
     #[wasm_bindgen(js_name = originalValues)]
     pub fn original_values(&mut self, measure: &str) -> Result<Float32Array, JsValue> {
-        let values = self.open_mut()?.face_values_of(measure, Shape::Original);
+        let values = self.open_mut()?.face_values_of(measure, &Shape::Original);
         values.map(|values| narrow(&values)).ok_or_else(|| unknown(measure))
     }
 

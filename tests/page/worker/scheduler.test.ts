@@ -297,6 +297,25 @@ test('the numbers of a step are its answer, also if its frame must wait', (conte
   assert.equal(scheduler.step().iteration, 12);
 });
 
+test('a collapse by single steps is told when it comes', (context) => {
+  // It was asked about at an export only.
+  closeChannel(context);
+  let steps = 0;
+  const told: number[] = [];
+  const solver = solverWith({
+    singleStep: () => ++steps > 9,
+    collapse: () => (steps > 1 ? 'the mesh collapsed' : undefined),
+  });
+  const post = ({ type }: FromWorker) => type === 'collapsed' && told.push(steps);
+  const scheduler = new Scheduler(solver, post, died);
+  scheduler.begin(false);
+  for (let step = 0; step < 3; step++) {
+    scheduler.frames.renew(1);
+    scheduler.step();
+  }
+  assert.deepEqual(told, [2]);
+});
+
 /** Whether the page is told that the shape has converged, after each of some actions. */
 async function convergedAfter(solver: Partial<Solver>, ...acts: ((to: Scheduler) => unknown)[]) {
   let converged: boolean | undefined;

@@ -47,7 +47,7 @@ export class ExactVerdict {
     return {
       label: 'Improve',
       title:
-        'Looks for an equally exact shape that is better in all else: closeness, smoothness, soft constraints',
+        'Keeps what is required satisfied, and looks for a shape that is better in all else: closeness, smoothness, soft constraints',
       act: () => this.#improve(),
     };
   }
@@ -62,7 +62,7 @@ export class ExactVerdict {
       act: () => (isStopped = true),
     };
     const message = this.#messages.say({
-      words: 'Improving: looking for an equally exact shape that is better in all else …',
+      words: 'Improving: looking for a shape that is better in all else …',
       isOpen: true,
       offers: [stop],
     });

@@ -168,7 +168,9 @@ impl MeshOperation {
             return Err(OperationError::NothingLeft);
         }
         let (old, new) = (task.mesh, &edited.mesh);
-        if (&old.positions, &old.faces, &old.curves) == (&new.positions, &new.faces, &new.curves) {
+        if (&old.positions, &old.faces, &old.curves) == (&new.positions, &new.faces, &new.curves)
+            && new.untouched.is_empty()
+        {
             return Err(OperationError::NoChange);
         }
         if is_manifold(task.topology)
@@ -202,6 +204,13 @@ impl Task<'_> {
 
     pub(super) fn picked_faces(&self) -> Vec<bool> {
         marked(self.mesh.faces.len(), self.faces)
+    }
+
+    /// The topology with the faces that are left as they are after the others: at those there is no
+    /// boundary.
+    pub(super) fn whole_topology(&self) -> Topology {
+        let faces = self.mesh.all_faces().collect();
+        Topology::new(&Mesh { faces, ..self.mesh.clone() })
     }
 
     pub(super) fn all_faces(&self) -> std::ops::Range<u32> {

@@ -2,9 +2,9 @@
 
 use super::declaration::{OperationError, Task};
 use crate::math::{Vec3, polygon_sides, twice_vector_area};
-use crate::mesh::components;
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
+use crate::mesh::{Topology, components};
 use std::collections::BTreeMap;
 
 /// A side shorter than this fraction of its face has no direction, a face thinner than it no plane.
@@ -28,10 +28,11 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     if outward == 0.0 && up == 0.0 {
         return Err(OperationError::Expected("a length that is not zero"));
     }
-    if task.topology.boundary_loops().is_empty() {
+    let topology = task.whole_topology();
+    if topology.boundary_loops().is_empty() {
         return Err(OperationError::NoBoundary);
     }
-    let sides = open_sides(task);
+    let sides = open_sides(task, &topology);
     if sides.is_empty() {
         return Err(OperationError::Expected("an edge of the boundary, both ends selected"));
     }
@@ -67,10 +68,10 @@ fn mitre(directions: &[Vec3<f64>]) -> Vec3<f64> {
     along * (1.0 / reach.max(0.5))
 }
 
-/// Returns the picked sides. Both ends of one without a direction are of one fan, so that they go where
+/// Returns the picked sides, of faces before those that are left as they are. Both ends of one without a direction are of one fan, so that they go where
 /// its neighbours do.
-fn open_sides(task: &Task<'_>) -> Vec<Open> {
-    let Task { mesh, topology, .. } = task;
+fn open_sides(task: &Task<'_>, topology: &Topology) -> Vec<Open> {
+    let mesh = task.mesh;
     let is_picked = task.picked_vertices();
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
     // Corners are numbered one face after another; those of faces that share an edge are joined.
@@ -96,14 +97,15 @@ fn open_sides(task: &Task<'_>) -> Vec<Open> {
         let (&[face], true) = (faces, ends.iter().all(|&v| is_picked[v as usize])) else {
             continue;
         };
+        let Some(&(mut normal, squares)) = planes.get(face as usize) else { continue };
         let is_ahead = topology.edge_ascends(e)[0];
         let corners = at_ends[e as usize].expect("it is a side of that face");
         let [ends, corners] = [ends, corners].map(|both| ordered(is_ahead, both));
-        let (mut normal, squares) = planes[face as usize];
         if normal == Vec3::zero() {
             // It lies in the plane of the faces beside it.
             let beside = ends.iter().flat_map(|&v| topology.vertex_faces().row(v as usize));
-            beside.for_each(|&face| normal += planes[face as usize].0);
+            let planes = beside.filter_map(|&face| planes.get(face as usize));
+            planes.for_each(|(plane, _)| normal += *plane);
         }
         let along = at(ends[1]) - at(ends[0]);
         let is_long = along.length_squared() > NONE * NONE * squares;

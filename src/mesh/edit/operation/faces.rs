@@ -4,7 +4,7 @@ use super::declaration::{OperationError, Task};
 use crate::math::{Vec3, is_diagonal_inside, polygon_sides};
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
-use crate::mesh::{components, orientation};
+use crate::mesh::{Mesh, components, orientation};
 use std::collections::BTreeMap;
 
 pub(super) fn delete(task: &Task<'_>) -> Result<Edited, OperationError> {
@@ -102,25 +102,33 @@ pub(super) fn split(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(rebuild.finish())
 }
 
-/// Closes the boundary loops with a picked vertex; without one, all but the longest of each connected
-/// component, its outline.
+/// Closes the boundary loops with a picked vertex; without one, all but the longest of each piece that is
+/// connected over edges, its outline.
 pub(super) fn fill_holes(task: &Task<'_>) -> Result<Edited, OperationError> {
-    let Task { mesh, topology, .. } = task;
+    let (mesh, topology) = (task.mesh, task.whole_topology());
     let at = |v: u32| Vec3::from(mesh.positions[v as usize]);
     if topology.boundary_loops().is_empty() {
         return Err(OperationError::NoBoundary);
     }
-    // An open chain, such as the rim of a wall on a floor, encloses no hole.
-    let loops = topology.boundary_loops().iter().filter(|row| topology.is_closed_loop(row));
-    let loops: Vec<&[u32]> = loops.collect();
+    let face_at = |[a, b]: [u32; 2]| {
+        let edge = topology.edge(a, b).expect("loops run along edges");
+        topology.edge_faces().row(edge as usize)[0] as usize
+    };
+    // An open chain, such as the rim of a wall on a floor, encloses no hole, and a hole in a face that is
+    // left as it is stays too.
+    let is_hole = |row: &&[u32]| {
+        let mut sides = polygon_sides(row);
+        topology.is_closed_loop(row) && sides.any(|side| face_at(side) < mesh.faces.len())
+    };
+    let loops: Vec<&[u32]> = topology.boundary_loops().iter().filter(is_hole).collect();
     let is_picked = task.picked_vertices();
     let length = |corners: &[u32]| -> f64 {
         polygon_sides(corners).map(|[a, b]| (at(b) - at(a)).length()).sum()
     };
-    let component = components(mesh.positions.len(), mesh.faces.iter());
+    let pieces = components(mesh.all_faces().count(), topology.edge_faces().iter());
     let mut longest: BTreeMap<u32, (f64, usize)> = BTreeMap::new();
     for (i, corners) in loops.iter().enumerate().filter(|_| task.vertices.is_empty()) {
-        let own = longest.entry(component[corners[0] as usize]).or_insert((0.0, i));
+        let own = longest.entry(pieces[face_at([corners[0], corners[1]])]).or_insert((0.0, i));
         if length(corners) > own.0 {
             *own = (length(corners), i);
         }
@@ -149,13 +157,14 @@ pub(super) fn fill_holes(task: &Task<'_>) -> Result<Edited, OperationError> {
 }
 
 pub(super) fn flip(task: &Task<'_>) -> Result<Edited, OperationError> {
-    Ok(turned(task, &vec![true; task.mesh.faces.len()]))
+    Ok(turned(task, &vec![true; task.mesh.all_faces().count()]))
 }
 
 /// Orients each component consistently, so that neighbours traverse their common edge in opposite
 /// directions, by flipping as few faces as possible.
 pub(super) fn unify(task: &Task<'_>) -> Result<Edited, OperationError> {
-    let (is_turned, contradictions) = orientation(&task.mesh.faces, task.topology);
+    let all = task.mesh.all_faces().collect();
+    let (is_turned, contradictions) = orientation(&all, &task.whole_topology());
     if !contradictions.is_empty() {
         return Err(OperationError::Expected(
             "an orientable surface; this one is not, like a Moebius strip",
@@ -169,15 +178,20 @@ pub(super) fn unify(task: &Task<'_>) -> Result<Edited, OperationError> {
     Ok(turned(task, &is_turned))
 }
 
-/// Flips the given faces; a flipped face still begins at the same corner.
+/// Flips the given faces, of all and those that are left as they are; a flipped face still begins at the
+/// same corner.
 fn turned(task: &Task<'_>, is_turned: &[bool]) -> Edited {
-    let mut rebuild = Rebuild::new(task.mesh);
-    for ((f, face), turned) in (0..).zip(task.mesh.faces.iter()).zip(is_turned) {
+    let mut rows = task.mesh.all_faces().zip(is_turned).map(|(face, turned)| {
         let mut corners = face.to_vec();
         if *turned {
             corners[1..].reverse();
         }
-        rebuild.face(&corners, &[f]);
-    }
-    rebuild.finish()
+        corners
+    });
+    let mut rebuild = Rebuild::new(task.mesh);
+    task.all_faces().zip(&mut rows).for_each(|(face, corners)| rebuild.face(&corners, &[face]));
+    // All vertices keep their numbers.
+    let untouched = rows.collect();
+    let Edited { mesh, origins } = rebuild.finish();
+    Edited { mesh: Mesh { untouched, ..mesh }, origins }
 }

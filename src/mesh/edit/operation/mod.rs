@@ -30,7 +30,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "dual",
         label: "Dual",
-        summary: "Makes a face for each vertex, with corners at the centres of the old faces: triangles become hexagons. The outline keeps its corners.",
+        summary: "Makes a face for each vertex of the mesh, with corners at the centres of the old faces: triangles become hexagons. The outline keeps its corners.",
         picks: Picks::Nothing,
         sizes: &[Size::degrees(
             "keep",
@@ -43,7 +43,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "diagonal",
         label: "Diagonal quads",
-        summary: "Makes a quad for each edge, from its ends and the centres of its faces; triangles along the boundary.",
+        summary: "Makes a quad for each edge of the mesh, from its ends and the centres of its faces; triangles along the boundary.",
         picks: Picks::Nothing,
         sizes: &[],
         apply: dual::diagonal,
@@ -51,7 +51,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "triangles",
         label: "Faces to triangles",
-        summary: "Cuts quads along the shorter diagonal, and larger faces from a new vertex at their centre or, with a notch, along diagonals.",
+        summary: "Cuts all quads along the shorter diagonal, and all larger faces from a new vertex at their centre or, with a notch, along diagonals.",
         picks: Picks::Nothing,
         sizes: &[],
         apply: triangles::from_faces,
@@ -86,7 +86,7 @@ pub const MESH_OPERATIONS: &[MeshOperation] = &[
     MeshOperation {
         id: "fill",
         label: "Fill holes",
-        summary: "Closes every boundary except the longest of each piece with a face, or only those with a selected vertex.",
+        summary: "Closes every boundary of a piece but its longest with a face, or only those with a selected vertex.",
         picks: Picks::AnyVertices,
         sizes: &[],
         apply: faces::fill_holes,
