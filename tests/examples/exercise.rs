@@ -23,13 +23,14 @@ fn there_are_lessons_among_the_examples() {
     let ids: Vec<_> = lessons().map(|example| example.id).collect();
     let expected = [
         "what-a-projection-is",
-        "glass-roof",
-        "circles-and-offsets",
+        "circles",
         "curvature-and-panels",
         "from-surface-to-panels",
+        "circles-and-offsets",
         "stiffness-of-hexagons",
         "paper-model",
         "exact-and-variations",
+        "glass-roof",
     ];
     assert_eq!(ids, expected.map(|id| format!("lesson-{id}")));
 }
@@ -137,10 +138,43 @@ fn a_model_of_flat_panels_fits_on_two_sheets_at_the_right_scale() {
 
 #[test]
 fn near_is_not_exact_and_exact_is_within_reach() {
+    let id = "lesson-stiffness-of-hexagons";
     for runs_first in [false, true] {
-        for id in ["lesson-circles-and-offsets", "lesson-stiffness-of-hexagons"] {
-            assert_eq!(required(id, Require::Exact, runs_first), [true, true], "{id}");
-            assert!(!required(id, Require::Within(0.001), runs_first)[0], "{id}");
+        assert_eq!(required(id, Require::Exact, runs_first), [true, true]);
+        assert!(!required(id, Require::Within(0.001), runs_first)[0]);
+    }
+}
+
+#[test]
+fn flat_panels_are_not_circular_and_a_press_makes_them_so() {
+    let mut session = opened("lesson-circles");
+    assert_eq!(met(&mut session), [false, true]);
+    assert_eq!(met_by_run(&mut session), [false, true]);
+    assert!(session.measures().planarity.max_distance < 0.001);
+    session.solve_as_pressed(Some("circle"), session.tolerance(), false).expect("there are quads");
+    assert_eq!(met(&mut session), [true, true]);
+    assert!(session.measures().planarity.max_distance < 0.001);
+    // The row Plane is switched off.
+    let enabled: Vec<_> = session.document().constraints.iter().map(|row| row.enabled).collect();
+    assert_eq!(enabled, [false, true]);
+}
+
+#[test]
+fn beams_are_flat_once_panels_are_exactly_circular() {
+    for runs_first in [false, true] {
+        let mut session = opened("lesson-circles-and-offsets");
+        build(&mut session);
+        assert_eq!(met(&mut session), [false, true]);
+        if runs_first {
+            session.solve(false).expect("positions stay finite");
+            build(&mut session);
+            assert_eq!(met(&mut session), [false, true]);
+        }
+        for (require, are_flat) in [(Require::Within(0.001), false), (Require::Exact, true)] {
+            session.edit(requires(require)).expect("it is not locked");
+            session.solve(false).expect("positions stay finite");
+            build(&mut session);
+            assert_eq!(met(&mut session), [are_flat, true]);
         }
     }
 }

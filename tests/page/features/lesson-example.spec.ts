@@ -1,4 +1,4 @@
-// The lesson among the examples: found in the gallery, missed, met, handed in, and measured again.
+// The exercise among the examples: found in the gallery, missed, met, handed in, and measured again.
 
 import type { Page } from '@playwright/test';
 import { execFile } from 'node:child_process';
@@ -11,7 +11,7 @@ import { downloaded, openExample, runToTheEnd, showStep } from '../actions.ts';
 import { expect, openPage, test, waitForState } from '../support.ts';
 
 const ID = 'lesson-glass-roof';
-const TITLE = 'Lesson: a glass roof of flat panes';
+const TITLE = 'Exercise: a glass roof of flat panes';
 
 const lesson = (page: Page) => page.getByRole('region', { name: 'Lesson' });
 const goals = (page: Page) =>
@@ -23,8 +23,10 @@ test('the gallery shows a lesson with its goals, which opens as a lesson', async
   const card = page.getByRole('article', { name: TITLE, exact: true });
   await expect(card).toContainText('Planarity: at most 1 mm');
   await expect(card).toContainText('Distance to original: at most 50 mm');
+  // In the order of the course; the exercise comes last.
   await page.getByRole('searchbox', { name: 'Search' }).fill('lesson');
-  await expect(page.getByRole('article')).toHaveCount(8);
+  await expect(page.getByRole('article')).toHaveCount(9);
+  await expect(page.getByRole('article', { name: /^Lesson: / })).toHaveCount(8);
   await card.getByRole('link', { name: TITLE }).click();
   await waitForState(page, (now) => now.vertices === 315);
   await showStep(page, 'Shape');

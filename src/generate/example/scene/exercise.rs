@@ -1,5 +1,5 @@
-//! Lessons on projections, and on what they do to a design: exercises with goals that students
-//! achieve and hand in.
+//! Lessons on projections, circles and lines of curvature, and an exercise without instructions, with
+//! goals that students achieve and hand in.
 
 use super::parts::{constraint, each, fixed};
 use crate::constraint::Element;
@@ -53,22 +53,121 @@ fn projection(scene: &mut Scene) -> Mesh {
     })
 }
 
+pub(super) const CIRCLES: Example = Example {
+    id: "lesson-circles",
+    title: "Lesson: circles",
+    summary: "An exercise to hand in: flat panels are not yet circular. Put the corners of every panel on a circle, and see what that does to its shape and to the roof.",
+    statement: "The panels, up to 9.2 mm from flat, come within 1 mm; their corners stay up to 146 mm from circles, and one goal is missed.",
+    make: circles,
+};
+
+const CIRCLES_TEXT: &str = "Three points always lie on a circle. Each further corner has to meet two conditions: to lie in the plane of the others, and to lie on their circle. So a circular panel is flat, but a flat panel need not be circular. In a circular panel of four corners, opposite angles add up to 180 degrees. A rectangle is circular, and so is a trapezoid with equal legs; a rhombus is not, unless it is a square.
+
+The projection of a panel fits a plane to its corners, and then a circle to their images in that plane. The circle is near, though not always the nearest (section 3.1 of the paper).
+
+1. The list under Shape has one constraint, Plane. Press Run. Under Check, set Colour by to Planarity, then to Circularity: the panels are flat, and their corners are still centimetres from circles.
+2. Under Shape, press Make panels circular. Circle takes the place of Plane in the list. Look at both colours again: what is circular is flat as well.
+3. Set Colour by to Moved. Two conditions for each panel, in place of one, leave the roof less freedom, and it has to move further.";
+
+/// A roof whose panels are to be flat, until the student makes them circular.
+fn circles(scene: &mut Scene) -> Mesh {
+    scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
+    near_where_it_was(scene);
+    scene.lesson = Some(lesson(
+        CIRCLES_TEXT,
+        vec![worst("circularity", 0.001), worst("displacement", 0.6)],
+        &[Lock::Handles, Lock::Mesh],
+    ));
+    beamed_roof()
+}
+
+/// A roof whose panels come near circles by a move of half a metre.
+pub(super) fn beamed_roof() -> Mesh {
+    let roof = Canopy {
+        panels: [20, 14],
+        span: [18.0, 13.0],
+        rise: 2.6,
+        crown: 1.6,
+        waist: 0.03,
+        wave: 0.1,
+    };
+    roof.mesh()
+}
+
+pub(super) const CURVATURE: Example = Example {
+    id: "lesson-curvature-and-panels",
+    title: "Lesson: lines of curvature, and why circles follow them",
+    summary: "An exercise to hand in: two vaults of the same shape, with edges along the lines of curvature on the left and across them on the right. Both get circular panels, but only one has to move.",
+    statement: "The left vault is circular from the start and stays; the corners of the right one, up to 17 mm from circles, come within 4 mm, and one goal is missed.",
+    make: curvature,
+};
+
+const CURVATURE_TEXT: &str = "Two vaults of the same shape. On the left the edges follow its lines of curvature, the directions in which it bends most and least; on the right they cross them.
+
+Why do circles follow these lines? The axis of a circular panel is the line through the centre of its circle, perpendicular to its plane. Every point of the axis is equally far from all corners. Neighbouring panels share two corners, so both of their axes lie in the plane of all points that are equally far from these two: the axes meet, or are parallel. They stand for the normals of the surface. On a smooth surface, though, the normals at neighbouring points meet in two directions only, and these are the lines of curvature. In all other directions they pass each other.
+
+1. Under Check, set Colour by to Off the lines of curvature. Which vault follows them?
+2. Colour by Circularity. On the left all panels are circular, though no constraint has acted yet.
+3. Under Shape, press Circle in the list, and set Required to Within. All corners come within 1 mm of circles.
+4. Colour by Moved. The left vault has not moved; the right one had to turn its edges. Exact moves it further: try it, and see which goal is missed.";
+
+fn curvature(scene: &mut Scene) -> Mesh {
+    scene.constraints = vec![constraint("circle", each(Element::Face), 1.0)];
+    near_where_it_was(scene);
+    // Run alone leaves some millimetres.
+    scene.weights.shape = 2000.0;
+    let circular = GoalOf::Beyond { measure: "circularity".to_owned(), tolerance: 0.001 };
+    scene.lesson = Some(lesson(
+        CURVATURE_TEXT,
+        vec![Goal { of: circular, at_most: 0.0 }, worst("displacement", 1.0)],
+        &[Lock::Weights, Lock::Handles, Lock::Mesh],
+    ));
+    // The edges of one vault are along its lines of curvature, those of the other across them.
+    let mut both = vault(0.0, -6.5);
+    let other = vault(1.0 / 12.0, 6.5);
+    let first = both.positions.len() as u32;
+    both.positions.extend(other.positions);
+    for face in other.faces.iter() {
+        both.faces.push(&face.iter().map(|v| v + first).collect::<Vec<_>>());
+    }
+    both
+}
+
+/// A vault of 10 m by 10 m, moved along x, whose edges deviate by `turn`, in turns, from its lines of
+/// curvature. It is a part of a torus: an arch along x, which is revolved about an axis far below.
+/// Panels along the lines of curvature are trapezoids with equal legs, which are circular.
+fn vault(turn: f64, along: f64) -> Mesh {
+    /// Radii of the arch, and of its crown about the axis.
+    const RADII: [f64; 2] = [8.0, 40.0];
+    let [c, s] = [cosine(turn), sine(turn)];
+    grid([12, 12], |x, y| {
+        let [across, lengthwise] = [c * x - s * y, s * x + c * y].map(|at| 5.0 * at);
+        // Angles in turns, as the functions take them.
+        let [a, b] =
+            [across / RADII[0], lengthwise / RADII[1]].map(|at| at / std::f64::consts::TAU);
+        let from_axis = RADII[1] - RADII[0] * (1.0 - cosine(a));
+        let height = from_axis * cosine(b) - RADII[1] + 2.4;
+        [RADII[0] * sine(a) + along, from_axis * sine(b), height]
+    })
+}
+
 pub(super) const GLASS_ROOF: Example = Example {
     id: "lesson-glass-roof",
-    title: "Lesson: a glass roof of flat panes",
+    title: "Exercise: a glass roof of flat panes",
     summary: "An exercise to hand in: make every pane flat to a millimetre, and keep the roof where the architect drew it. Run alone is not enough; the right weights are.",
     statement: "The worst pane, 9 mm from flat, comes within 3 mm, and the roof moves by up to 6 cm: both goals are missed, but some weights meet both.",
     make: glass_roof,
 };
 
-const TEXT: &str = "Each pane of this roof will be one flat sheet of glass.
+const GLASS_TEXT: &str = "Each pane of this roof will be one flat sheet of glass.
 Make every pane flat to a millimetre, and keep the roof within 5 cm of where it was drawn.
 Press Run and see which goals are missed. Then open Shape, Weights and solver, and change the weights until both are satisfied. Hand in your results.";
 
 /// A roof with two conflicting goals.
 fn glass_roof(scene: &mut Scene) -> Mesh {
     scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
-    scene.lesson = Some(lesson(TEXT, vec![worst("planarity", 0.001), worst("surface", 0.05)], &[]));
+    scene.lesson =
+        Some(lesson(GLASS_TEXT, vec![worst("planarity", 0.001), worst("surface", 0.05)], &[]));
     roof_on_feet(scene)
 }
 
@@ -89,85 +188,6 @@ pub(super) fn roof_on_feet(scene: &mut Scene) -> Mesh {
     scene.smoothness = Smoothness { of: SmoothnessOf::Displacement, weighting: Weighting::Uniform };
     scene.solver.iterations = 2000;
     roof.mesh()
-}
-
-pub(super) const OFFSETS: Example = Example {
-    id: "lesson-circles-and-offsets",
-    title: "Lesson: circles and offsets, why circular",
-    summary: "An exercise to hand in: put the corners of every panel of a roof exactly on a circle, because only then do its nodes have axes.",
-    statement: "The corners of a panel, up to 155 mm from a circle, come within 1 mm, and one goal is missed: close is not exact.",
-    make: offsets,
-};
-
-const OFFSETS_TEXT: &str = "A roof has thickness: a second layer runs at a constant distance from the first, with parallel edges. If the corners of every panel lie on a circle, there is a second layer whose nodes are all equally far from those below. Each beam is then a flat strip, and beams meet in the axis of their node, without twist.
-
-1. Press Run. The corners come close to circles, but the first goal is missed: close leaves every node a little twisted.
-2. Under Shape, press Circle in the list, and set Required to Exact. The corners move onto their circles at once.
-3. Under Check, set Colour by to Moved. Circular panels move the roof most where edges are far from the lines of curvature.";
-
-fn offsets(scene: &mut Scene) -> Mesh {
-    let roof = Canopy {
-        panels: [20, 14],
-        span: [18.0, 13.0],
-        rise: 2.6,
-        crown: 1.6,
-        waist: 0.03,
-        wave: 0.1,
-    };
-    scene.constraints = vec![constraint("circle", each(Element::Face), 1.0)];
-    near_where_it_was(scene);
-    let exact = Goal { of: GoalOf::Constraint("Circle".to_owned()), at_most: 0.0 };
-    scene.lesson = Some(lesson(
-        OFFSETS_TEXT,
-        vec![exact, worst("displacement", 0.6)],
-        &[Lock::Weights, Lock::Handles, Lock::Mesh],
-    ));
-    roof.mesh()
-}
-
-pub(super) const CURVATURE: Example = Example {
-    id: "lesson-curvature-and-panels",
-    title: "Lesson: curvature and panels",
-    summary: "An exercise to hand in: two vaults of the same shape, with edges along the lines of curvature on the left and across them on the right. Both get flat panels, but only one has to move.",
-    statement: "The left vault is flat from the start and stays; the panels of the right one, up to 7.6 mm from flat, come within 2 mm, and one goal is missed.",
-    make: curvature,
-};
-
-const CURVATURE_TEXT: &str = "Two vaults of the same shape. On the left the edges follow the directions in which the vault bends most and least; on the right they cross them.
-
-1. Under Check, set Colour by to Off the lines of curvature. Which vault follows them?
-2. Colour by Planarity. On the left all panels are flat, though no constraint has acted yet.
-3. Under Shape, press Plane in the list, and set Required to Within. All panels come within 1 mm of flat.
-4. Colour by Moved. The left vault has not moved; the right one had to, for its panels to become flat. Exact moves it further: try it, and see which goal is missed.";
-
-fn curvature(scene: &mut Scene) -> Mesh {
-    scene.constraints = vec![constraint("plane", each(Element::Face), 1.0)];
-    near_where_it_was(scene);
-    let flat = GoalOf::Beyond { measure: "planarity".to_owned(), tolerance: 0.001 };
-    scene.lesson = Some(lesson(
-        CURVATURE_TEXT,
-        vec![Goal { of: flat, at_most: 0.0 }, worst("displacement", 0.96)],
-        &[Lock::Weights, Lock::Handles, Lock::Mesh],
-    ));
-    // The edges of one vault are along its lines of curvature, those of the other across them.
-    let mut both = vault(0.0, -6.5);
-    let other = vault(1.0 / 12.0, 6.5);
-    let first = both.positions.len() as u32;
-    both.positions.extend(other.positions);
-    for face in other.faces.iter() {
-        both.faces.push(&face.iter().map(|v| v + first).collect::<Vec<_>>());
-    }
-    both
-}
-
-/// A vault over a square of 10 m, moved along x, whose edges deviate by `turn`, in turns, from its
-/// lines of curvature.
-fn vault(turn: f64, along: f64) -> Mesh {
-    let [c, s] = [cosine(turn), sine(turn)];
-    grid([12, 12], |x, y| {
-        let [u, v] = [c * x - s * y, s * x + c * y];
-        [5.0 * x + along, 5.0 * y, 2.4 - 1.5 * u * u - 0.25 * v * v]
-    })
 }
 
 /// A lesson in which students may not change the parts `lock`.
