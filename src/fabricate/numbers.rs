@@ -33,7 +33,7 @@ pub struct BuildNumber {
 
 pub(super) const BEAM_WARP: BuildNumber = BuildNumber {
     id: "beam_warp",
-    label: "Beam flatness",
+    label: "Beam out of plane",
     description: "largest distance of a beam's corners to its plane",
     unit: NumberUnit::Length,
 };

@@ -346,7 +346,7 @@ fn settings_of_the_workshop_are_used_and_listed_in_the_summary() {
         "Drawings (dxf),r12,",
         "\"Outlines only, without names (outlines_only)\",on,",
         "Mirror images are alike (mirror),off,",
-        "Beam flatness (limits.warp),2,mm",
+        "Beam out of plane (limits.warp),2,mm",
     ] {
         assert!(summary.contains(&format!("\r\n{line}\r\n")), "{line}: {summary}");
     }

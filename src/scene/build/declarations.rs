@@ -284,7 +284,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(
         Limits,
         "limits.warp",
-        "Beam flatness",
+        "Beam out of plane",
         number(Mm, FROM_0),
         "Corners of a beam from its plane, at full size.",
     ),
