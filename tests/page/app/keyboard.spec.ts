@@ -42,7 +42,7 @@ const focused = (page: Page) =>
 /** Presses Tab until the element of that name has the focus; fails if it is not reached. */
 async function tabTo(page: Page, name: RegExp, key = 'Tab') {
   const met = [];
-  for (let press = 0; press < 80; press++) {
+  for (let press = 0; press < 100; press++) {
     await page.keyboard.press(key);
     const at = await focused(page);
     // The focus has left the page at its end and starts again.

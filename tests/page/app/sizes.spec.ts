@@ -43,7 +43,9 @@ function smallTargets(page: Page) {
     );
     return [...all].flatMap((one) => {
       // The label can be pressed as well.
-      const box = ['checkbox', 'file'].includes(one.type) ? (one.closest('label') as Element) : one;
+      const box = ['checkbox', 'radio', 'file'].includes(one.type)
+        ? (one.closest('label') as Element)
+        : one;
       const { left, top, right, bottom, width, height } = box.getBoundingClientRect();
       const isSeen = width > 0 && getComputedStyle(one).visibility === 'visible';
       const isInWindow = right > 0 && bottom > 0 && left < innerWidth && top < innerHeight;
