@@ -40,7 +40,8 @@ test('paper is cut along the selected edges, as one step, and still is after a r
   await expect(button(page, 'No seams')).toBeDisabled();
 
   // The line of edges along the ridge.
-  await page.getByRole('button', { name: 'Edges', exact: true }).click();
+  await button(page, 'Select edges').click();
+  await expect(button(page, 'Select edges')).toBeHidden();
   await page.mouse.dblclick(...(await middleOf(page, [vertex(2, 1), vertex(2, 2)])));
   expect((await state(page)).selection.edges).toHaveLength(N);
   await button(page, 'Cut along the selected edges').click();

@@ -19,7 +19,7 @@ export function SeamsField({
   onEdges: (edges: Edge[]) => Promise<unknown>;
 }) {
   const { solver, store, actions } = useApp();
-  const { selection, model } = store.state;
+  const { selection, model, tool, mode } = store.state;
   const chosen = useMemo(() => {
     const { geometry } = solver;
     return geometry ? selectedEdges(selection, geometry.connectivity) : [];
@@ -37,6 +37,11 @@ export function SeamsField({
           ? `${count(edges.length, 'edge is', 'edges are')} cut.`
           : 'To choose where the pieces end, select edges of the model.'}
       </p>
+      {(tool !== 'select' || mode !== 'edges') && (
+        <Button onClick={() => actions.look({ tool: 'select', mode: 'edges' })}>
+          Select edges
+        </Button>
+      )}
       <Button disabled={added.length === 0} onClick={() => change([...edges, ...added])}>
         Cut along the selected edges
       </Button>
