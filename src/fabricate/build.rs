@@ -118,6 +118,8 @@ pub struct Build {
     pub surface: PanelSurface,
     /// The name of each panel.
     pub names: Vec<String>,
+    /// The number of faces of the mesh that are panels: the first ones, but for those with holes.
+    pub faces: usize,
     /// The number of each panel in the order of assembly, from 1.
     pub order: Vec<u32>,
     /// Each panel in its plane, in the unit of the mesh; none if it has no area.
@@ -189,6 +191,7 @@ impl Build {
             settings: settings.clone(),
             surface,
             names,
+            faces: mesh.faces.len(),
             order,
             flat,
             cut: Vec::new(),
@@ -221,6 +224,11 @@ impl Build {
             build.faults.push(Fault::too_many_pages(build.pages()));
         }
         Ok(build)
+    }
+
+    /// The face of the mesh that a panel is; none of a panel with holes.
+    pub fn face_of(&self, panel: u32) -> Option<u32> {
+        ((panel as usize) < self.faces).then_some(panel)
     }
 
     /// The number of parts that are missing because they cannot be cut.

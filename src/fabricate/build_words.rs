@@ -151,6 +151,9 @@ impl BuildReport {
         ];
         if self.product == Product::Panels {
             line.push(types(self.types, " of panels"));
+            if self.openings > 0 {
+                line.push(words::count(self.openings, "hole in a panel", "holes in panels"));
+            }
             if self.spliced > 0 {
                 line.push(words::count(self.spliced, "panel in pieces", "panels in pieces"));
             }

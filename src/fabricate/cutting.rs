@@ -4,28 +4,18 @@
 use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, Splice};
 use super::fault::Fault;
+use super::outline::{PanelOutline, PanelRing};
 use super::panel::{
-    PieceSide, SplicePlate, Spliced, check_size, corners, distinct_corners, inset, is_simple,
-    smallest_box, smallest_box_within, spliced,
+    PieceSide, SplicePlate, Spliced, check_size, corners, distinct_corners, inset, smallest_box,
+    smallest_box_within, spliced,
 };
 use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names};
 use super::sheet::{
     CutPart, Hole, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
 use super::surface::{beam_name, node_name};
-use crate::math::plane::{Point2, area, bounds, length, minus, rotated};
+use crate::math::plane::{Point2, area, bounds, is_inside, length, minus, rotated};
 use crate::scene::{BuildSettings, Product};
-
-/// Why a panel has no outline whose sides are moved inwards by `by`.
-fn why_no_outline(panel: &[Point2], by: f64) -> &'static str {
-    if inset(panel, 0.0).is_none() {
-        "two of its sides lie on each other"
-    } else if by < 0.0 {
-        "a notch in it is too narrow for the kerf"
-    } else {
-        "it is too small for the joint"
-    }
-}
 
 impl Build {
     /// Cuts all parts, lays them out, and names them.
@@ -56,52 +46,43 @@ impl Build {
         }
     }
 
-    /// A panel in mm of the sheet, and its outline: with the joint subtracted and the kerf added, at the
-    /// scale of these settings.
-    ///
-    /// # Errors
-    /// Why it cannot be cut, in words.
-    pub(super) fn outline(
-        &self,
-        f: usize,
-        settings: &BuildSettings,
-    ) -> Result<[Vec<Point2>; 2], &'static str> {
-        let model = self.mm_of_sheet_at(settings.scale);
-        let by = 0.5 * (settings.joint * model - settings.kerf);
-        let flat = self.flat[f].as_ref().ok_or("it has no area")?;
-        let scaled: Vec<Point2> =
-            flat.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
-        check_size(&scaled)?;
-        if !is_simple(&scaled) {
-            return Err("laid flat it crosses itself");
-        }
-        let outline = inset(&scaled, by).ok_or_else(|| why_no_outline(&scaled, by))?;
-        check_size(&outline)?;
-        Ok([scaled, outline])
-    }
-
     fn cut_panel(&mut self, f: usize) -> Result<CutPanel, &'static str> {
-        let [scaled, outline] = self.outline(f, &self.settings)?;
-        let (turn, size) = smallest_box(&outline);
+        let PanelOutline { whole, rings } = self.outline(f, &self.settings)?;
+        let (turn, size) = smallest_box(&rings[0].corners);
         let turned =
             |points: &[Point2]| points.iter().map(|&p| rotated(p, turn)).collect::<Vec<_>>();
-        let (whole, outline) = (turned(&scaled), turned(&outline));
+        let whole = turned(&whole);
         let across = |e: u32| {
             let met = self.surface.neighbours_across(e, f as u32).into_iter();
             let names: Vec<&str> = met.map(|other| &*self.names[other as usize]).collect();
             (!names.is_empty()).then(|| names.join("/"))
         };
-        let n = outline.len();
-        let has_side = |k: usize| outline[k] != outline[(k + 1) % n];
-        let has_first_side = has_side(0);
-        let sides = self.surface.sides.row(f).iter().zip(0..).filter(|(_, k)| has_side(*k));
-        let neighbours = sides.map(|(&e, _)| across(e)).collect();
-        let outline = distinct_corners(&outline);
+        let edges = self.surface.sides.row(f);
+        // The corners, and what lies beyond each side that is left.
+        let cut = |PanelRing { corners, sides }: &PanelRing| {
+            let corners = turned(corners);
+            let next = corners.iter().cycle().skip(1);
+            let left = corners.iter().zip(next).zip(sides).filter(|((p, q), _)| p != q);
+            let beyond: Vec<Option<String>> = left.map(|(_, &k)| across(edges[k])).collect();
+            (distinct_corners(&corners), beyond)
+        };
+        let has_first_side = rings[0].corners[0] != rings[0].corners[1];
+        let (outline, neighbours) = cut(&rings[0]);
+        let holes = rings[1..].iter().map(cut);
+        let holes = holes.map(|(outline, beyond)| Hole::opening(outline, beyond)).collect();
         let (name, panels) = (self.names[f].clone(), vec![f as u32]);
-        let part =
-            CutPart { name, panels, outline, neighbours, has_first_side, ..CutPart::default() };
+        let part = CutPart {
+            name,
+            panels,
+            outline,
+            neighbours,
+            has_first_side,
+            holes,
+            ..CutPart::default()
+        };
         let first = self.parts.len();
-        let spliced = self.spliced(&part.outline, self.settings.splice);
+        let holes: Vec<Vec<Point2>> = part.holes.iter().map(Hole::outline).collect();
+        let spliced = self.spliced(&part.outline, &holes, self.settings.splice);
         let pieces = spliced.as_ref().map_or(1, |spliced| spliced.pieces.len());
         match spliced {
             Some(spliced) => self.add_pieces(&part, spliced),
@@ -118,7 +99,12 @@ impl Build {
 
     /// The outline of a panel in pieces that are joined by plates of this width; none if it fits on a
     /// sheet, or no pieces do.
-    pub(super) fn spliced(&self, outline: &[Point2], width: f64) -> Option<Spliced> {
+    pub(super) fn spliced(
+        &self,
+        outline: &[Point2],
+        holes: &[Vec<Point2>],
+        width: f64,
+    ) -> Option<Spliced> {
         if width <= 0.0 {
             return None;
         }
@@ -137,7 +123,7 @@ impl Build {
         if fits(outline) {
             return None;
         }
-        spliced(outline, width, self.settings.kerf, fits)
+        spliced(outline, holes, width, self.settings.kerf, fits)
     }
 
     /// Adds the pieces of a panel to the parts, `P12.1` and `P12.2`, and the plates behind their seams,
@@ -153,10 +139,13 @@ impl Build {
                 PieceSide::Panel(k) => panel.neighbours[*k].clone(),
                 PieceSide::Piece(other) => Some(name(*other)),
             };
+            let outline = corners(&piece);
+            let is_in = |hole: &&Hole| is_inside(&outline, hole.outline()[0]);
             self.parts.push(CutPart {
                 name: name(k),
                 panels: panel.panels.clone(),
-                outline: corners(&piece),
+                holes: panel.holes.iter().filter(is_in).cloned().collect(),
+                outline,
                 neighbours: piece.iter().map(beyond).collect(),
                 has_first_side: panel.has_first_side && start.is_some(),
                 ..CutPart::default()
@@ -209,6 +198,9 @@ impl Build {
         let (model, kerf) = (self.mm_of_sheet(), self.settings.kerf);
         for (e, fin) in frame.fins.iter().enumerate() {
             let edge = &self.surface.edges[e];
+            if edge.is_bridge() {
+                continue;
+            }
             let name = beam_name(edge.ends);
             let fin = fin.as_ref().map_err(|why| *why).and_then(|fin| {
                 let scaled: Vec<Point2> =

@@ -25,6 +25,7 @@
 //! | `file` | SVG, DXF, PDF, CSV, GLB, pictures of sheets |
 //! | `build` | everything for one shape |
 //! | `cutting` | cuts, lays out and names the parts |
+//! | `outline` | the outlines of a panel and of its holes |
 //! | `discs` | node discs as parts |
 //! | `holes` | holes along edges, at the ends of fins, and through splice plates |
 //! | `relief` | reliefs in inner corners, for milling tools |
@@ -62,6 +63,7 @@ mod key;
 mod layer;
 mod numbers;
 pub mod offset;
+mod outline;
 mod output;
 pub mod panel;
 pub mod paper;

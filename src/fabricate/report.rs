@@ -104,6 +104,8 @@ pub struct BuildReport {
     pub larger_sheet_mm: Option<[f64; 2]>,
     /// Parts that cannot be cut, each with the reason.
     pub not_cut: Vec<String>,
+    /// Holes of panels on sheets, as the model has them.
+    pub openings: usize,
     /// Panels that are cut into pieces.
     pub spliced: usize,
     /// The plates that join their pieces.
@@ -219,7 +221,7 @@ impl Build {
                     Product::Panels | Product::Fins => self.missing_parts(),
                 },
             panels: self.names.len(),
-            edges: self.surface.edges.len(),
+            edges: self.surface.real_edges().count(),
             nodes: nodes.len(),
             components: self.surface.parts,
             turned: self.surface.turned,
@@ -237,6 +239,7 @@ impl Build {
                 .collect(),
             larger_sheet_mm: self.larger_sheet(),
             not_cut: self.not_cut.iter().map(|not| format!("{}: {}", not.part, not.why)).collect(),
+            openings: holes().filter(|hole| !hole.neighbours.is_empty()).count(),
             spliced: self.cut.iter().flatten().filter(|cut| cut.pieces > 1).count(),
             plates: self.splices.len(),
             cut_area_mm2,

@@ -6,7 +6,7 @@
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
 use super::text_box::{ROOM, TextBox};
-use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point, sides};
+use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point_beside, sides};
 use crate::math::plane::{Point2, distance, dot, rotated};
 
 /// Largest height of neighbours' names, in mm.
@@ -72,7 +72,8 @@ pub struct Inscription<'a> {
 
 /// Writes the labels that have room.
 pub fn label(own: Inscription<'_>) -> Labels {
-    let room = roomiest_point(own.outline);
+    let openings: Vec<&[Point2]> = own.holes.iter().filter_map(Hole::as_opening).collect();
+    let room = roomiest_point_beside(own.outline, &openings);
     let mut best: Option<(usize, Labels)> = None;
     for height in OWN {
         let (labels, has_arrow) = label_of_height(own, room, height);
@@ -96,11 +97,11 @@ fn label_of_height(
     own: f64,
 ) -> (Labels, bool) {
     let mut labels = Labels::default();
-    let nothing = || Labels {
-        dropped: neighbours.iter().flatten().count(),
-        small: true,
-        ..Labels::default()
-    };
+    let beyond_outline = sides(outline).zip(neighbours);
+    let beyond_outline = beyond_outline.filter_map(|(side, name)| Some((side, name.as_deref()?)));
+    let named_sides: Vec<([Point2; 2], &str)> =
+        beyond_outline.chain(holes.iter().flat_map(Hole::named_sides)).collect();
+    let nothing = || Labels { dropped: named_sides.len(), small: true, ..Labels::default() };
     if radius <= 0.0 {
         return (nothing(), false);
     }
@@ -140,9 +141,7 @@ fn label_of_height(
     let is_possible = |i: usize| !is_oriented || matches!(neighbours.get(i), Some(Some(_)));
     let possible_sides = sides(outline).enumerate().filter(|&(i, _)| is_possible(i));
     let possible_sides: Vec<[Point2; 2]> = possible_sides.map(|(_, side)| side).collect();
-    for (k, neighbour) in neighbours.iter().enumerate() {
-        let Some(neighbour) = neighbour else { continue };
-        let edge = [outline[k], outline[(k + 1) % outline.len()]];
+    for &(edge, neighbour) in &named_sides {
         let tallest = beside.min(height);
         let found = beside_edge(
             outline,
@@ -155,7 +154,7 @@ fn label_of_height(
             Some((height, own)) => {
                 highest = highest.max(height);
                 labels.lines.extend(strokes(neighbour, height, own.centre, own.along));
-                labels.texts.push(neighbour.clone());
+                labels.texts.push(neighbour.to_owned());
                 taken.push(own);
             }
             None => labels.dropped += 1,

@@ -8,7 +8,10 @@ const READING: [(&str, &str); 28] = [
         "outlines",
         "each side moved inwards by half the joint, outwards by half the kerf; reliefs for the tool added",
     ),
-    ("panels.csv nodes", "counterclockwise seen from outside, from the edge at the arrow"),
+    (
+        "panels.csv nodes",
+        "counterclockwise seen from outside, from the edge at the arrow; after a slash, clockwise around a hole",
+    ),
     ("panels.csv order", "of assembly, from the supports upwards"),
     ("panels.csv corners", "of the whole panel, also for a piece; nodes too"),
     (

@@ -145,6 +145,15 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     .of(&[Panels]),
     setting(
         Parts,
+        "setback",
+        "Setback at boundary",
+        number(Mesh, FROM_0),
+        "From the boundary of the model to the panels, in the unit of the mesh.",
+    )
+    .of(&[Panels])
+    .or("half the joint"),
+    setting(
+        Parts,
         "hole",
         "Holes",
         number(Mm, ON_SHEET),
@@ -320,6 +329,7 @@ impl BuildSettings {
             // In JSON a number that is not finite is null, as an absent one.
             let null = || match setting.id {
                 "disc" => self.disc,
+                "setback" => self.setback,
                 "distance" => self.distance,
                 "beam_width" => self.beam_width,
                 _ => Some(f64::NAN),

@@ -25,6 +25,8 @@ pub struct BuildSettings {
     pub follow: f64,
     /// The gap between neighbouring panels.
     pub joint: f64,
+    /// How far panels are from the boundary of the model; null for half the joint.
+    pub setback: Option<f64>,
     /// The denominator of the scale.
     pub scale: f64,
     /// The name of the material, printed on the sheets.
@@ -120,6 +122,7 @@ impl Default for BuildSettings {
             distance: None,
             follow: 0.01,
             joint: 0.0,
+            setback: None,
             scale: 50.0,
             material: "card".to_owned(),
             thickness: 0.5,
