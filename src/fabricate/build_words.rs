@@ -154,6 +154,9 @@ impl BuildReport {
             if self.openings > 0 {
                 line.push(words::count(self.openings, "hole in a panel", "holes in panels"));
             }
+            if self.strips > 0 {
+                line.push(count(self.strips, "cover strip"));
+            }
             if self.spliced > 0 {
                 line.push(words::count(self.spliced, "panel in pieces", "panels in pieces"));
             }
@@ -250,6 +253,18 @@ impl BuildReport {
                 words::count(left.dropped_reliefs, "inner corner has", "inner corners have")
                     + " no room for a relief: the tool leaves material there.",
             ),
+            counted(
+                self.dropped_strips,
+                words::count(self.dropped_strips, "joint has", "joints have")
+                    + " no cover strip: those at its ends leave no room.",
+            ),
+            (self.strips > 0 && settings.strip <= self.joint_mm).then(|| {
+                format!(
+                    "Cover strips of {} do not cover a joint of {}.",
+                    words::millimetres_limit(settings.strip),
+                    words::millimetres_limit(self.joint_mm)
+                )
+            }),
             counted(
                 without_prism,
                 words::count(without_prism, "beam has", "beams have")

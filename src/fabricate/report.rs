@@ -110,6 +110,12 @@ pub struct BuildReport {
     pub spliced: usize,
     /// The plates that join their pieces.
     pub plates: usize,
+    /// Strips over the joints between panels.
+    pub strips: usize,
+    /// Their length on the sheet, although they are cut of another material.
+    pub strip_length_mm: f64,
+    /// Joints without a strip for lack of room between those at their ends.
+    pub dropped_strips: usize,
     /// Area of all parts on sheets, without their holes.
     pub cut_area_mm2: f64,
     /// Length of their outlines and holes.
@@ -202,6 +208,9 @@ impl Build {
         let cut_area_mm2 = sum(CutPart::area);
         let holes = || on_sheets.iter().flat_map(|&part| &self.parts[part].holes);
         let around_holes = holes().map(Hole::perimeter).fold(0.0, |a, b| a + b);
+        let mut strips = self.strips();
+        let all_strips = strips.len();
+        strips.retain(|own| own.length > 0.0);
         let [width, height] = self.settings.sheet;
         let sheets = self.layout.sheets.len();
         let folds = self.surface.edges.iter().filter_map(|edge| self.surface.fold(edge));
@@ -242,6 +251,9 @@ impl Build {
             openings: holes().filter(|hole| !hole.neighbours.is_empty()).count(),
             spliced: self.cut.iter().flatten().filter(|cut| cut.pieces > 1).count(),
             plates: self.splices.len(),
+            strips: strips.len(),
+            strip_length_mm: strips.iter().map(|own| own.length).fold(0.0, |a, b| a + b),
+            dropped_strips: all_strips - strips.len(),
             cut_area_mm2,
             cut_length_mm: sum(|part| perimeter(&part.outline)) - self.shared() + around_holes,
             joint_mm: self.settings.joint * self.mm_of_sheet(),

@@ -263,3 +263,71 @@ fn sides_in_line_are_set_back_alike() {
     // 0.1 m on all sides.
     assert!((area(&made.parts[0].outline) - 90.0 * 90.0).abs() < 1e-9);
 }
+
+#[test]
+fn cover_strips_leave_room_for_each_other_at_nodes() {
+    let flat = grid(3, 3, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    let own = BuildSettings { scale: 10.0, strip: 50.0, ..BuildSettings::default() };
+    let made = build(&flat, &own);
+    let report = made.report();
+    // Four between two inner nodes, eight from the boundary.
+    assert_eq!((report.strips, report.dropped_strips), (12, 0));
+    assert!((report.strip_length_mm - (4.0 * 50.0 + 8.0 * 75.0)).abs() < 1e-9);
+    let table = text_of(&made, "strips.csv");
+    assert_eq!(table.lines().count(), 13);
+    assert!(
+        table.lines().any(|row| row.starts_with("B5-6,N5,N6,") && row.contains(",50,50,25,25,0"))
+    );
+    assert!(made.words(&report).sheets.contains("12 cover strips"));
+    // At 120 mm there is no room between two inner nodes.
+    let wide = build(&flat, &BuildSettings { strip: 120.0, ..own.clone() });
+    assert_eq!((wide.report().strips, wide.report().dropped_strips), (8, 4));
+    let none = build(&flat, &BuildSettings { strip: 0.0, ..own });
+    assert!(none.files(true).iter().all(|file| file.name != "strips.csv"));
+}
+
+#[test]
+fn cover_strips_overlap_on_no_panel() {
+    let own = BuildSettings { scale: 10.0, strip: 12.0, ..BuildSettings::default() };
+    let mut pentagons = wall();
+    pentagons.positions[2] = [4.5, 3.5, 0.0];
+    for mesh in [revolution(9, 7), pentagons] {
+        let made = build(&mesh, &own);
+        let strips = made.strips();
+        assert!(strips.iter().any(|own| own.length > 0.0));
+        let model = made.mm_of_sheet();
+        for f in 0..made.names.len() {
+            let face = made.surface.faces.row(f);
+            let corner = |k: usize| {
+                made.flat[f].as_ref().expect("it has an area").corners[k % face.len()]
+                    .map(|x| x * model)
+            };
+            // What lies on this panel of each strip: from `start` along a direction, and how long.
+            let halves: Vec<(Point2, Point2, f64)> = (0..face.len())
+                .filter_map(|k| {
+                    let e = made.surface.sides.row(f)[k];
+                    let own = strips.iter().find(|own| own.edge == e && own.length > 0.0)?;
+                    let (p, q) = (corner(k), corner(k + 1));
+                    let along = [0, 1].map(|x| (q[x] - p[x]) / distance(p, q));
+                    let first = made.surface.edges[e as usize].ends[0] == face[k];
+                    let back = own.cut_back[usize::from(!first)];
+                    Some(([0, 1].map(|x| p[x] + back * along[x]), along, own.length))
+                })
+                .collect();
+            let is_in = |point: Point2, (start, [c, s], length): (Point2, Point2, f64)| {
+                let [x, y] = [point[0] - start[0], point[1] - start[1]];
+                let (along, in_depth) = (c * x + s * y, c * y - s * x);
+                along > 1e-6 && along < length - 1e-6 && in_depth > 1e-6 && in_depth < 6.0 - 1e-6
+            };
+            for (k, own) in halves.iter().enumerate() {
+                let (start, [c, s], length) = *own;
+                for (i, j) in (0..=20).flat_map(|i| (0..=10).map(move |j| (i, j))) {
+                    let (x, y) = (length * f64::from(i) / 20.0, 0.6 * f64::from(j));
+                    let point = [start[0] + c * x - s * y, start[1] + s * x + c * y];
+                    let others = halves.iter().enumerate().filter(|(other, _)| *other != k);
+                    others.for_each(|(_, other)| assert!(!is_in(point, *other), "panel {f}"));
+                }
+            }
+        }
+    }
+}

@@ -1,7 +1,7 @@
 //! What the numbers of the tables and the letters on the sheets mean, for whoever has only the files.
 
 /// What is explained, and in which words.
-const READING: [(&str, &str); 28] = [
+const READING: [(&str, &str); 30] = [
     ("edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     ("edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -26,6 +26,8 @@ const READING: [(&str, &str); 28] = [
     ),
     ("splices.csv x_sheet_mm", "of the lower left corner of its box; with y_sheet_mm"),
     ("splices.csv turn_deg", "direction of the seam, on the sheet, with piece_a on its left"),
+    ("strips.csv length_sheet_mm", "between square ends; strips do not overlap at a node"),
+    ("strips.csv cut_back_a_sheet_mm", "from node_a to the strip, along the edge"),
     ("fins.csv turn_deg", "direction from node_a to node_b, on the sheet"),
     ("names of fins", "from their first node to their second, tops of letters outwards"),
     ("fins.csv end_a_deg", "in the fin, between its side at the edge and its end at node_a"),

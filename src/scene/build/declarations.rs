@@ -170,6 +170,14 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     .of(&[Panels]),
     setting(
         Parts,
+        "strip",
+        "Cover strips",
+        number(Mm, ON_SHEET),
+        "Width of strips over the joints, listed with their lengths; 0: none.",
+    )
+    .of(&[Panels]),
+    setting(
+        Parts,
         "disc",
         "Node discs",
         number(Mm, ON_SHEET),

@@ -48,6 +48,8 @@ pub struct BuildSettings {
     pub hole: f64,
     /// Width of the plates that join the pieces of panels larger than the sheet; 0 for no pieces.
     pub splice: f64,
+    /// Width of the strips that cover the joints between panels; 0 for none.
+    pub strip: f64,
     /// Diameter of the node discs that fins are joined by; 0 for none, null for the smallest that has
     /// room at each node.
     pub disc: Option<f64>,
@@ -133,6 +135,7 @@ impl Default for BuildSettings {
             tool: 0.0,
             hole: 0.0,
             splice: 0.0,
+            strip: 0.0,
             disc: Some(0.0),
             clearance: 0.1,
             order: Order::Size,
