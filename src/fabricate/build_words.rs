@@ -181,7 +181,7 @@ impl BuildReport {
             false => (self.parts, discs[0]),
         };
         match discs {
-            0 if self.spliced > 0 => count(all, "part"),
+            0 if self.spliced + self.halved > 0 => count(all, "part"),
             0 => parts(all, self.product),
             _ => format!("{} and {}", parts(all - discs, self.product), count(discs, "node disc")),
         }
@@ -199,7 +199,7 @@ impl BuildReport {
         let named = |names: &[String], sentence: String| (!names.is_empty()).then_some(sentence);
         let counted = |number: usize, sentence: String| (number > 0).then_some(sentence);
         let has_discs = self.frame.as_ref().is_some_and(|frame| frame.discs > 0);
-        let unnamed = match has_discs || self.spliced > 0 {
+        let unnamed = match has_discs || self.spliced + self.halved > 0 {
             true => count(self.unnamed.len(), "part"),
             false => parts(self.unnamed.len(), self.product),
         };
@@ -252,6 +252,15 @@ impl BuildReport {
                 left.dropped_reliefs,
                 words::count(left.dropped_reliefs, "inner corner has", "inner corners have")
                     + " no room for a relief: the tool leaves material there.",
+            ),
+            counted(
+                self.halved,
+                format!(
+                    "{} cut as two triangles: each would be bent to a radius below {} on the sheet, {} times the thickness.",
+                    words::count(self.halved, "panel is", "panels are"),
+                    words::millimetres_limit(settings.bend * settings.thickness),
+                    words::brief(settings.bend)
+                ),
             ),
             counted(
                 self.dropped_strips,

@@ -110,6 +110,8 @@ pub struct BuildReport {
     pub spliced: usize,
     /// The plates that join their pieces.
     pub plates: usize,
+    /// Panels that are cut as two triangles, since they bend more than their material takes.
+    pub halved: usize,
     /// Strips over the joints between panels.
     pub strips: usize,
     /// Their length on the sheet, although they are cut of another material.
@@ -229,7 +231,7 @@ impl Build {
                     Product::Paper => 0,
                     Product::Panels | Product::Fins => self.missing_parts(),
                 },
-            panels: self.names.len(),
+            panels: self.names.len() - self.halves.len(),
             edges: self.surface.real_edges().count(),
             nodes: nodes.len(),
             components: self.surface.parts,
@@ -251,6 +253,7 @@ impl Build {
             openings: holes().filter(|hole| !hole.neighbours.is_empty()).count(),
             spliced: self.cut.iter().flatten().filter(|cut| cut.pieces > 1).count(),
             plates: self.splices.len(),
+            halved: self.halves.len(),
             strips: strips.len(),
             strip_length_mm: strips.iter().map(|own| own.length).fold(0.0, |a, b| a + b),
             dropped_strips: all_strips - strips.len(),

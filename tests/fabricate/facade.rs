@@ -331,3 +331,98 @@ fn cover_strips_overlap_on_no_panel() {
         }
     }
 }
+
+/// Panels of a metre, all bent to a radius of 10 m.
+fn saddle() -> Mesh {
+    grid(4, 4, |i, j| {
+        let [x, y] = [f64::from(i) - 2.0, f64::from(j) - 2.0];
+        [x, y, 0.1 * x * y]
+    })
+}
+
+fn glass(bend: f64) -> BuildSettings {
+    BuildSettings {
+        thickness: 10.0,
+        scale: 1.0,
+        sheet: [3210.0, 2250.0],
+        joint: 0.02,
+        bend,
+        ..BuildSettings::default()
+    }
+}
+
+#[test]
+fn panels_bent_beyond_the_least_radius_are_cut_as_two_triangles() {
+    let made = build(&saddle(), &glass(1500.0));
+    let report = made.report();
+    assert_eq!((report.panels, report.halved, report.placed), (16, 16, 32));
+    assert_eq!(report.not_cut, Vec::<String>::new());
+    assert!(report.flattening_error_mm < 1e-9, "{}", report.flattening_error_mm);
+    let names: Vec<&str> = made.parts.iter().map(|part| &*part.name).collect();
+    assert_eq!((names[0], names[15], names[16], names[31]), ("P0.1", "P15.1", "P0.2", "P15.2"));
+    let words = made.words(&report);
+    assert!(
+        words.warnings.iter().any(|words| words.starts_with("16 panels are cut as two triangles"))
+    );
+    assert!(words.sheets.starts_with("32 parts"), "{}", words.sheets);
+    // The triangles name each other, have a joint between them and are of the same face.
+    for f in 0..16 {
+        let [first, other] = [&made.parts[f], &made.parts[f + 16]];
+        let has = |part: &shape_up::fabricate::sheet::CutPart, name: &str| {
+            part.neighbours.iter().flatten().any(|own| own == name)
+        };
+        assert!(has(first, &other.name) && has(other, &first.name));
+        assert_eq!([f as u32, f as u32 + 16].map(|panel| made.face_of(panel)), [Some(f as u32); 2]);
+        // One after the other in the order of assembly.
+        assert_eq!(made.order[f] + 1, made.order[f + 16]);
+    }
+    let inset = |[a, b, c]: [f64; 3]| {
+        let s = 0.5 * (a + b + c);
+        let whole = (s * (s - a) * (s - b) * (s - c)).sqrt();
+        let radius = whole / s;
+        whole * (1.0 - 10.0 / radius) * (1.0 - 10.0 / radius)
+    };
+    let at = |v: u32| made.surface.at(v);
+    for (part, face) in made.parts.iter().zip(made.surface.faces.iter()) {
+        let sides = [0, 1, 2].map(|k| 1000.0 * (at(face[(k + 1) % 3]) - at(face[k])).length());
+        assert!((part.area() - inset(sides)).abs() < 1e-6 * part.area(), "{}", part.name);
+    }
+    let row = &report.card.check[4];
+    assert!(row.met == Some(true) && row.value < Some(1e-9), "{row:?}");
+    assert!(without_nan(&made));
+}
+
+#[test]
+fn panels_bent_less_or_without_a_limit_stay_as_they_are() {
+    let whole = build(&saddle(), &glass(0.0));
+    for own in [
+        glass(990.0),
+        BuildSettings { thickness: 0.0, ..glass(1500.0) },
+        // A tenth as thick, as for a model at 1:10.
+        BuildSettings { thickness: 1.0, ..glass(1500.0) },
+    ] {
+        let made = build(&saddle(), &own);
+        assert_eq!((made.halves.len(), &made.names), (0, &whole.names));
+        assert_eq!(made.parts.len(), 16);
+    }
+    // At 1:10, 1 mm takes as much.
+    let model = BuildSettings { thickness: 1.0, scale: 10.0, ..glass(1500.0) };
+    assert_eq!(build(&saddle(), &model).halves.len(), 16);
+    // Other products crease panels, or have none.
+    for product in [Product::Fins, Product::Paper] {
+        assert_eq!(build(&saddle(), &BuildSettings { product, ..glass(1500.0) }).halves.len(), 0);
+    }
+}
+
+#[test]
+fn triangles_and_panels_with_holes_are_told_apart() {
+    let mut mesh = wall();
+    mesh.positions[13][2] = 0.3;
+    let made = build(&mesh, &BuildSettings { scale: 20.0, ..glass(1500.0) });
+    let names: Vec<&str> = made.names.iter().map(|name| &**name).collect();
+    assert_eq!(names, ["P0", "P1.1", "P1.2", "P2"]);
+    let faces = [0, 1, 2, 3].map(|panel| made.face_of(panel));
+    assert_eq!(faces, [Some(0), Some(1), Some(1), None]);
+    assert!(made.surface.has_holes(3) && !made.surface.has_holes(2));
+    assert_eq!(made.report().panels, 3);
+}

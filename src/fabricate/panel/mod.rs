@@ -3,6 +3,7 @@
 
 mod alike;
 mod assembly;
+mod bend;
 mod inset;
 mod name;
 mod polygon;
@@ -11,6 +12,7 @@ mod splice;
 pub(super) use crate::math::{ears as triangles, triangles_in_space, turn};
 pub use alike::panel_types;
 pub use assembly::{Stand, assembly_rows};
+pub(super) use bend::{Halves, bent_panels};
 pub(super) use inset::alike_in_line;
 pub use inset::{inset, inset_sides};
 pub use name::panel_names;

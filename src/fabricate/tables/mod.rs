@@ -82,6 +82,9 @@ fn summary(build: &Build, names: &[&str]) -> String {
         row("cover strips", Cell::from(report.strips), "");
         row("length of cover strips", Cell::from(report.strip_length_mm), "sheet mm");
     }
+    if report.halved > 0 {
+        row("panels cut as two triangles", Cell::from(report.halved), "");
+    }
     row("parts without room for their name", Cell::from(report.unnamed.len()), "");
     row("sheets", Cell::from(report.sheets), "");
     row("area of parts", Cell::from(report.cut_area_mm2), "sheet mm2");

@@ -1,7 +1,7 @@
 //! What the numbers of the tables and the letters on the sheets mean, for whoever has only the files.
 
 /// What is explained, and in which words.
-const READING: [(&str, &str); 30] = [
+const READING: [(&str, &str); 31] = [
     ("edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     ("edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -11,6 +11,10 @@ const READING: [(&str, &str); 30] = [
     (
         "panels.csv nodes",
         "counterclockwise seen from outside, from the edge at the arrow; after a slash, clockwise around a hole",
+    ),
+    (
+        "panels.csv name",
+        "after a dot, the number of a piece: joined by plates, or if edges.csv has its name, a triangle",
     ),
     ("panels.csv order", "of assembly, from the supports upwards"),
     ("panels.csv corners", "of the whole panel, also for a piece; nodes too"),

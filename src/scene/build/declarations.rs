@@ -123,6 +123,14 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(Parts, "thickness", "Thickness", number(Mm, ON_SHEET), "Thickness of the material."),
     setting(
         Parts,
+        "bend",
+        "Least bending radius",
+        number(Plain, FROM_0),
+        "In thicknesses: panels bent more are cut as two triangles. 0: none are.",
+    )
+    .of(&[Panels]),
+    setting(
+        Parts,
         "sheet[0]",
         "Sheet width",
         number(Mm, [ABOVE_0, LONGEST]),

@@ -33,6 +33,9 @@ pub struct BuildSettings {
     pub material: String,
     /// Thickness of the material.
     pub thickness: f64,
+    /// The least radius, in thicknesses, to which panels are bent; those that need a smaller one are cut as
+    /// two triangles. 0 for any.
+    pub bend: f64,
     /// Width and height of a sheet.
     #[serde(deserialize_with = "fixed")]
     pub sheet: [f64; 2],
@@ -128,6 +131,7 @@ impl Default for BuildSettings {
             scale: 50.0,
             material: "card".to_owned(),
             thickness: 0.5,
+            bend: 0.0,
             sheet: [420.0, 297.0],
             margin: 5.0,
             gap: 3.0,

@@ -13,7 +13,10 @@ pub(super) fn assemble(files: &Files) -> Found {
     let scale = files.number("Scale 1 : (scale)");
     let by = 0.5 * (files.number("joint on the sheet") - files.number("Kerf (kerf)"));
     let sides = sides_of_panels(files);
-    let parts = joined(files.parts().0, files.number("Kerf (kerf)"));
+    // A triangle that is half of a panel has edges of its own.
+    let (mut parts, pieces): (Vec<Part>, Vec<Part>) =
+        files.parts().0.into_iter().partition(|part| sides.contains_key(&part.name));
+    parts.extend(joined(pieces, files.number("Kerf (kerf)")));
     // The direction of the arrow's side in radians, and the node where it begins.
     let arrows: BTreeMap<String, (f64, String)> = files
         .table("panels.csv")
@@ -21,7 +24,9 @@ pub(super) fn assemble(files: &Files) -> Found {
         .map(|row| {
             let first = row.text("nodes").split(' ').next().unwrap().to_owned();
             // Pieces lie as the first one.
-            let name = row.text("name").trim_end_matches(".1").to_owned();
+            let name = row.text("name");
+            let is_whole = sides.contains_key(name);
+            let name = if is_whole { name } else { name.trim_end_matches(".1") }.to_owned();
             (name, (row.number("turn_deg").to_radians(), first))
         })
         .collect();
