@@ -260,7 +260,10 @@ test('a build is told of guessed positions, of faces left as they are, of the un
   });
   const connectivity = {
     ...triangle,
-    ...{ untouchedOffsets: Uint32Array.of(0, 3, 5), untouchedIndices: Uint32Array.of(5, 6, 7, 8, 9) },
+    ...{
+      untouchedOffsets: Uint32Array.of(0, 3, 5),
+      untouchedIndices: Uint32Array.of(5, 6, 7, 8, 9),
+    },
     unplaced: Uint32Array.of(1),
   };
   const geometry = { generation: 1, positions: new Float64Array(9), connectivity };
@@ -272,7 +275,13 @@ test('a build is told of guessed positions, of faces left as they are, of the un
   await live.update();
   const [{ site, offsets, indices, unplaced, untouched }] = built;
   // The faces that are left as they are come last.
-  assert.deepEqual([[...offsets], [...indices]], [[0, 3, 6, 8], [0, 1, 2, 5, 6, 7, 8, 9]]);
+  assert.deepEqual(
+    [[...offsets], [...indices]],
+    [
+      [0, 3, 6, 8],
+      [0, 1, 2, 5, 6, 7, 8, 9],
+    ],
+  );
   assert.deepEqual(site, { symbol: 'inches', z_up: true, held: [0] });
   assert.deepEqual([[...unplaced], untouched], [[1], 2]);
 });
