@@ -120,6 +120,27 @@ fn files_have_the_holes_and_no_bridges() {
     assert!((whole - (12.0 - 1.0 - 2.0 + 1.0 + 12.0)).abs() < 1e-9, "{whole}");
 }
 
+#[test]
+fn the_panel_in_a_hole_is_named_at_its_sides_also_beside_reliefs_and_drilled_holes() {
+    let mill = BuildSettings { kerf: 3.0, tool: 3.0, gap: 6.0, ..settings() };
+    for own in [settings(), mill.clone(), BuildSettings { hole: 4.0, ..mill }] {
+        let made = build(&wall(), &own);
+        assert_eq!(made.left_out.dropped_names, 0, "{own:?}");
+        // Letters on all sides of the window, outside of it.
+        let window = made.cut[2].as_ref().expect("it is cut").whole[11..15].to_vec();
+        for k in 0..4 {
+            let [p, q] = [window[k], window[(k + 1) % 4]];
+            let along = [0, 1].map(|x| (q[x] - p[x]) / distance(p, q));
+            let is_beside = |at: Point2| {
+                let [x, y] = [at[0] - p[0], at[1] - p[1]];
+                let (far, away) = (along[0] * x + along[1] * y, along[0] * y - along[1] * x);
+                (0.0..=distance(p, q)).contains(&far) && (0.0..12.0).contains(&away)
+            };
+            assert!(engraved(&made, 2).any(is_beside), "side {k}");
+        }
+    }
+}
+
 /// The lines on a part, as on its sheet.
 fn engraved(made: &Build, part: usize) -> impl Iterator<Item = Point2> {
     made.parts[part].engraved.iter().flatten().copied()

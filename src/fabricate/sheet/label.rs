@@ -113,7 +113,9 @@ fn label_of_height(
     let longest = longest.unwrap_or(0);
     let across = direction_of(outline[longest], outline[(longest + 1) % n]);
     let beside = (OF_RADIUS * radius).clamp(LEAST, TALLEST);
-    let mut taken: Vec<TextBox> = holes.iter().map(TextBox::of_hole).collect();
+    let whole = with_openings(outline, holes);
+    let others = holes.iter().filter(|hole| hole.as_opening().is_none());
+    let mut taken: Vec<TextBox> = others.map(TextBox::of_hole).collect();
     let (mut height, mut own) = (own * beside, None);
     // Try the roomiest point (it may be beside a hole at one end of a slender part) and the middle;
     // along the sheet and along the longest edge; with decreasing height until the name is inside.
@@ -126,7 +128,7 @@ fn label_of_height(
             .into_iter()
             .flat_map(|centre| directions.iter().map(move |&along| (centre, along)))
             .map(|(centre, along)| TextBox::of_text(name, height, centre, along))
-            .find(|own| own.is_in(outline) && taken.iter().all(|hole| own.is_apart(hole)));
+            .find(|own| own.is_in(&whole) && taken.iter().all(|hole| own.is_apart(hole)));
         if own.is_none() {
             height *= 0.85;
         }
@@ -136,7 +138,7 @@ fn label_of_height(
     labels.lines.extend(strokes(name, height, own.centre, own.along));
     labels.texts.push(name.to_owned());
     taken.insert(0, own);
-    let has_arrow = with_arrow && arrow(outline, &mut labels, &mut taken, height, radius);
+    let has_arrow = with_arrow && arrow(&whole, &mut labels, &mut taken, height, radius);
     let mut highest: f64 = 0.0;
     let is_possible = |i: usize| !is_oriented || matches!(neighbours.get(i), Some(Some(_)));
     let possible_sides = sides(outline).enumerate().filter(|&(i, _)| is_possible(i));
@@ -144,7 +146,7 @@ fn label_of_height(
     for &(edge, neighbour) in &named_sides {
         let tallest = beside.min(height);
         let found = beside_edge(
-            outline,
+            &whole,
             (edge, &possible_sides),
             (neighbour, tallest),
             turn,
@@ -164,6 +166,22 @@ fn label_of_height(
         labels.lines.push(underline(own, text_width(name, height), height));
     }
     (labels, has_arrow)
+}
+
+/// An outline, and over bridges around the holes that a panel has in the model, in the other direction: what
+/// lies in them is outside.
+fn with_openings(outline: &[Point2], holes: &[Hole]) -> Vec<Point2> {
+    let mut whole = outline.to_vec();
+    for opening in holes.iter().filter_map(Hole::as_opening) {
+        let mut around: Vec<Point2> = opening.iter().rev().copied().collect();
+        let nearest = (0..around.len()).min_by(|&a, &b| {
+            let away = |k: usize| distance(outline[0], around[k]);
+            away(a).total_cmp(&away(b))
+        });
+        around.rotate_left(nearest.unwrap_or(0));
+        whole.extend([outline[0]].iter().chain(&around).chain(&around[..1]));
+    }
+    whole
 }
 
 /// A line below the text of a box.
@@ -194,7 +212,8 @@ fn beside_edge(
     let length = distance(p, q);
     let along = direction_of(p, q);
     let inwards = [-along[1], along[0]];
-    let beyond = holes.iter().map(|hole| hole.reach(p, inwards)).reduce(f64::min);
+    let others = holes.iter().filter(|hole| hole.as_opening().is_none());
+    let beyond = others.map(|hole| hole.reach(p, inwards)).reduce(f64::min);
     let mut height = tallest;
     loop {
         let width = text_width(name, height);
