@@ -79,9 +79,13 @@ impl Build {
         // Reliefs are cut into its pieces, not into the whole panel.
         let can_be_spliced = |&panel: &u32| {
             let turn = self.cut[panel as usize].as_ref()?.turn;
-            let [_, outline] = self.outline(panel as usize, &self.settings).ok()?;
-            let turned: Vec<Point2> = outline.iter().map(|&corner| rotated(corner, turn)).collect();
-            self.spliced(&distinct_corners(&turned), width)
+            let own = self.outline(panel as usize, &self.settings).ok()?;
+            let turned = own.rings.iter().map(|ring| {
+                let corners = ring.corners.iter().map(|&corner| rotated(corner, turn));
+                distinct_corners(&corners.collect::<Vec<_>>())
+            });
+            let turned: Vec<Vec<Point2>> = turned.collect();
+            self.spliced(&turned[0], &turned[1..], width)
         };
         large.all(|panel| can_be_spliced(panel).is_some()).then(|| Advice {
             words: "Panels that are larger than the sheet can be cut into pieces with plates behind their seams."

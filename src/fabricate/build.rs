@@ -5,7 +5,9 @@ use super::beam::Frame;
 use super::fault::Fault;
 use super::file::{Drawing, places};
 use super::offset::{Axes, OffsetCheck, axes_of, check};
-use super::panel::{FlatPanel, Stand, assembly_rows, lay_flat, panel_names, panel_types};
+use super::panel::{
+    FlatPanel, Halves, Stand, assembly_rows, bent_panels, lay_flat, panel_names, panel_types,
+};
 use super::paper::{LEAST_TAB, PaperModel};
 use super::sheet::{CutPart, Layout, in_capitals};
 use super::surface::PanelSurface;
@@ -119,6 +121,11 @@ pub struct Build {
     pub surface: PanelSurface,
     /// The name of each panel.
     pub names: Vec<String>,
+    /// The number of faces of the mesh that are panels: the first ones, but for those with holes.
+    pub faces: usize,
+    /// The panels that are cut as two triangles. The first triangle is in the place of the panel; the others
+    /// follow the faces, in this order.
+    pub halves: Vec<u32>,
     /// The number of each panel in the order of assembly, from 1.
     pub order: Vec<u32>,
     /// Each panel in its plane, in the unit of the mesh; none if it has no area.
@@ -156,6 +163,42 @@ pub(super) fn all_flat(surface: &PanelSurface) -> Vec<Option<FlatPanel>> {
     (0..surface.faces.len() as u32).map(|f| lay_flat(surface, f)).collect()
 }
 
+/// The surface and the names of its panels, some of which are two triangles, as which they stand in the
+/// order of assembly, too.
+///
+/// # Errors
+/// As of [`PanelSurface::new`].
+fn halved(
+    mesh: &Mesh,
+    whole: &PanelSurface,
+    (mut names, order): (Vec<String>, &mut Vec<u32>),
+    bent: &[Halves],
+) -> Result<(PanelSurface, Vec<String>), Fault> {
+    let count = mesh.faces.len();
+    let mut faces: Vec<&[u32]> = whole.faces.iter().take(count).collect();
+    let mut second: Vec<Option<u32>> = vec![None; names.len()];
+    for (Halves { panel, corners: [first, other] }, number) in bent.iter().zip(count as u32..) {
+        faces[*panel as usize] = first;
+        faces.push(other);
+        second[*panel as usize] = Some(number);
+    }
+    let halves = bent.iter().map(|own| format!("{}.2", names[own.panel as usize]));
+    let halves: Vec<String> = halves.collect();
+    bent.iter().for_each(|own| names[own.panel as usize].push_str(".1"));
+    names.splice(count..count, halves);
+    let with_second = |f: u32| {
+        // Panels with holes come after all halves.
+        let is_face = (f as usize) < count;
+        let first = if is_face { f } else { f + bent.len() as u32 };
+        std::iter::once(first).chain(second[f as usize])
+    };
+    *order = order.iter().copied().flat_map(with_second).collect();
+    let faces = faces.into_iter().collect();
+    let mut surface = PanelSurface::new(&Mesh { faces, ..mesh.clone() })?;
+    surface.turned = whole.turned;
+    Ok((surface, names))
+}
+
 /// The unit with this symbol; metres for an empty one, of a file that has no unit. An unknown
 /// one is refused: parts would have a wrong size.
 ///
@@ -179,18 +222,33 @@ impl Build {
     ) -> Result<Build, Fault> {
         (settings.check().and_then(|()| settings.check_edges(mesh)))
             .map_err(|(key, message)| Fault(format!("build.{key}: {message}")))?;
-        let surface = PanelSurface::new(mesh)?;
-        let rows = assembly_rows(&surface, stand);
-        let (names, are_as_asked) = panel_names(&surface, settings.names, &rows);
-        let mut order = vec![0; names.len()];
-        rows.iter().flatten().zip(1..).for_each(|(&f, number)| order[f as usize] = number);
-        let flat = all_flat(&surface);
+        let whole = PanelSurface::new(mesh)?;
+        let rows = assembly_rows(&whole, stand);
+        let (names, are_as_asked) = panel_names(&whole, settings.names, &rows);
         let to_building = 1000.0 * unit.metres;
+        let bent = match settings.product {
+            Product::Panels if settings.bend > 0.0 => {
+                let least = settings.bend * settings.thickness * settings.scale / to_building;
+                bent_panels(&whole, &all_flat(&whole), least)
+            }
+            _ => Vec::new(),
+        };
+        let mut order: Vec<u32> = rows.into_iter().flatten().collect();
+        let (surface, names) = match bent.is_empty() {
+            true => (whole, names),
+            false => halved(mesh, &whole, (names, &mut order), &bent)?,
+        };
+        let numbers = order.into_iter().zip(1..);
+        let mut order = vec![0; names.len()];
+        numbers.for_each(|(f, number)| order[f as usize] = number);
+        let flat = all_flat(&surface);
         let types = panel_types(&flat, settings.alike / to_building, settings.mirror);
         let mut build = Build {
             settings: settings.clone(),
             surface,
             names,
+            faces: mesh.faces.len(),
+            halves: bent.iter().map(|own| own.panel).collect(),
             order,
             flat,
             cut: Vec::new(),
@@ -223,6 +281,14 @@ impl Build {
             build.faults.push(Fault::too_many_pages(build.pages()));
         }
         Ok(build)
+    }
+
+    /// The face of the mesh that a panel is, or a half of it; none of a panel with holes.
+    pub fn face_of(&self, panel: u32) -> Option<u32> {
+        match (panel as usize).checked_sub(self.faces) {
+            None => Some(panel),
+            Some(half) => self.halves.get(half).copied(),
+        }
     }
 
     /// The number of parts that are missing because they cannot be cut.

@@ -181,6 +181,12 @@ impl BuildReport {
         ];
         if self.product == Product::Panels {
             line.push(types(self.types, " of panels"));
+            if self.openings > 0 {
+                line.push(words::count(self.openings, "hole in a panel", "holes in panels"));
+            }
+            if self.strips > 0 {
+                line.push(count(self.strips, "cover strip"));
+            }
             if self.spliced > 0 {
                 line.push(words::count(self.spliced, "panel in pieces", "panels in pieces"));
             }
@@ -205,7 +211,7 @@ impl BuildReport {
             false => (self.parts, discs[0]),
         };
         match discs {
-            0 if self.spliced > 0 => count(all, "part"),
+            0 if self.spliced + self.halved > 0 => count(all, "part"),
             0 => parts(all, self.product),
             _ => format!("{} and {}", parts(all - discs, self.product), count(discs, "node disc")),
         }
@@ -231,7 +237,7 @@ impl BuildReport {
         let named = |names: &[String], sentence: String| (!names.is_empty()).then_some(sentence);
         let counted = |number: usize, sentence: String| (number > 0).then_some(sentence);
         let has_discs = self.frame.as_ref().is_some_and(|frame| frame.discs > 0);
-        let unnamed = match has_discs || self.spliced > 0 {
+        let unnamed = match has_discs || self.spliced + self.halved > 0 {
             true => count(self.unnamed.len(), "part"),
             false => parts(self.unnamed.len(), self.product),
         };
@@ -294,6 +300,27 @@ impl BuildReport {
                 words::count(left.dropped_reliefs, "inner corner has", "inner corners have")
                     + " no room for a relief: the tool leaves material there.",
             ),
+            counted(
+                self.halved,
+                format!(
+                    "{} cut as two triangles: each would be bent to a radius below {} on the sheet, {} times the thickness.",
+                    words::count(self.halved, "panel is", "panels are"),
+                    words::millimetres_limit(settings.bend * settings.thickness),
+                    words::brief(settings.bend)
+                ),
+            ),
+            counted(
+                self.dropped_strips,
+                words::count(self.dropped_strips, "joint has", "joints have")
+                    + " no cover strip: those at its ends leave no room.",
+            ),
+            (self.strips > 0 && settings.strip <= self.joint_mm).then(|| {
+                format!(
+                    "Cover strips of {} do not cover a joint of {}.",
+                    words::millimetres_limit(settings.strip),
+                    words::millimetres_limit(self.joint_mm)
+                )
+            }),
             counted(
                 without_prism,
                 words::count(without_prism, "beam has", "beams have")

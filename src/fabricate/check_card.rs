@@ -108,7 +108,10 @@ impl Build {
             self.distance_error().row(of(DISTANCE_ERROR), Worst::Vertex),
             self.lean().row(of(LEAN), Worst::Vertex),
             self.safe_distance_row(beam),
-            self.flatness().row(of(PANEL_FLATNESS), Worst::Panel),
+            self.flatness().row(of(PANEL_FLATNESS), |f| match self.face_of(f) {
+                Some(face) => Worst::Panel(face),
+                None => Worst::Vertex(self.surface.faces.row(f as usize)[0]),
+            }),
         ]
     }
 

@@ -4,9 +4,10 @@
 use super::beam::{Frame, FrameSize};
 use super::build::{Build, CutPanel, NotCut, Splice};
 use super::fault::Fault;
+use super::outline::{PanelOutline, PanelRing};
 use super::panel::{
     PieceSide, SplicePlate, Spliced, Stand, check_size, corners, direction_of, distinct_corners,
-    inset, is_simple, smallest_box, smallest_box_within, spliced,
+    inset, smallest_box, smallest_box_within, spliced,
 };
 use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names};
 use super::report::JOINT_STEP;
@@ -15,20 +16,9 @@ use super::sheet::{
 };
 use super::surface::{beam_name, node_name};
 use super::view_axes::upwards_in;
-use crate::math::plane::{Point2, area, bounds, length, minus, rotated};
+use crate::math::plane::{Point2, area, bounds, is_inside, length, minus, rotated};
 use crate::math::{cosine, sine};
 use crate::scene::{BuildSettings, Product, Up};
-
-/// Why a panel has no outline whose sides are moved inwards by `by`.
-fn why_no_outline(panel: &[Point2], by: f64) -> &'static str {
-    if inset(panel, 0.0).is_none() {
-        "two of its sides lie on each other"
-    } else if by < 0.0 {
-        "a notch in it is too narrow for the kerf"
-    } else {
-        "it is too small for the joint"
-    }
-}
 
 impl Build {
     /// Cuts all parts of a shape that stands like this, lays them out, and names them.
@@ -72,52 +62,45 @@ impl Build {
         }
     }
 
-    /// A panel in mm of the sheet, and its outline: with the joint subtracted and the kerf added, at the
-    /// scale of these settings.
-    ///
-    /// # Errors
-    /// Why it cannot be cut, in words.
-    pub(super) fn outline(
-        &self,
-        f: usize,
-        settings: &BuildSettings,
-    ) -> Result<[Vec<Point2>; 2], &'static str> {
-        let model = self.mm_of_sheet_at(settings.scale);
-        let by = 0.5 * (settings.joint * model - settings.kerf);
-        let flat = self.flat[f].as_ref().ok_or("it has no area")?;
-        let scaled: Vec<Point2> =
-            flat.corners.iter().map(|corner| corner.map(|x| x * model)).collect();
-        check_size(&scaled)?;
-        if !is_simple(&scaled) {
-            return Err("laid flat it crosses itself");
-        }
-        let outline = inset(&scaled, by).ok_or_else(|| why_no_outline(&scaled, by))?;
-        check_size(&outline)?;
-        Ok([scaled, outline])
-    }
-
     fn cut_panel(&mut self, f: usize, z_up: bool) -> Result<CutPanel, &'static str> {
-        let [scaled, outline] = self.outline(f, &self.settings)?;
-        let (turn, size) = smallest_box(&outline);
+        let PanelOutline { whole, rings } = self.outline(f, &self.settings)?;
+        let (turn, size) = smallest_box(&rings[0].corners);
         let turned =
             |points: &[Point2]| points.iter().map(|&p| rotated(p, turn)).collect::<Vec<_>>();
-        let (whole, outline) = (turned(&scaled), turned(&outline));
+        let whole = turned(&whole);
         let across = |e: u32| {
             let met = self.surface.neighbours_across(e, f as u32).into_iter();
             let names: Vec<&str> = met.map(|other| &*self.names[other as usize]).collect();
             (!names.is_empty()).then(|| names.join("/"))
         };
-        let n = outline.len();
-        let has_side = |k: usize| outline[k] != outline[(k + 1) % n];
-        let sides = self.surface.sides.row(f).iter().zip(0..).filter(|(_, k)| has_side(*k));
-        let (neighbours, bevels) = sides.map(|(&e, _)| (across(e), self.bevel(e))).unzip();
-        let outline = distinct_corners(&outline);
-        let (name, panels) = (self.names[f].clone(), vec![f as u32]);
+        let edges = self.surface.sides.row(f);
+        // The corners, and what lies beyond each side that is left.
+        let cut = |PanelRing { corners, sides }: &PanelRing| {
+            let corners = turned(corners);
+            let next = corners.iter().cycle().skip(1);
+            let left = corners.iter().zip(next).zip(sides).filter(|((p, q), _)| p != q);
+            let (beyond, bevels): (Vec<Option<String>>, Vec<Option<f64>>) =
+                left.map(|(_, &k)| (across(edges[k]), self.bevel(edges[k]))).unzip();
+            (distinct_corners(&corners), beyond, bevels)
+        };
+        let (outline, neighbours, bevels) = cut(&rings[0]);
+        let holes = rings[1..].iter().map(cut);
+        let holes = holes.map(|(outline, beyond, _)| Hole::opening(outline, beyond)).collect();
         let arrow = self.flat[f].as_ref().map(|flat| rotated(upwards_in(flat.axes, z_up), turn));
-        let part =
-            CutPart { name, panels, outline, neighbours, bevels, arrow, ..CutPart::default() };
+        let (name, panels) = (self.names[f].clone(), vec![f as u32]);
+        let part = CutPart {
+            name,
+            panels,
+            outline,
+            neighbours,
+            bevels,
+            arrow,
+            holes,
+            ..CutPart::default()
+        };
         let first = self.parts.len();
-        let spliced = self.spliced(&part.outline, self.settings.splice);
+        let holes: Vec<Vec<Point2>> = part.holes.iter().map(Hole::outline).collect();
+        let spliced = self.spliced(&part.outline, &holes, self.settings.splice);
         let pieces = spliced.as_ref().map_or(1, |spliced| spliced.pieces.len());
         match spliced {
             Some(spliced) => self.add_pieces(&part, spliced),
@@ -146,7 +129,12 @@ impl Build {
 
     /// The outline of a panel in pieces that are joined by plates of this width; none if it fits on a
     /// sheet, or no pieces do.
-    pub(super) fn spliced(&self, outline: &[Point2], width: f64) -> Option<Spliced> {
+    pub(super) fn spliced(
+        &self,
+        outline: &[Point2],
+        holes: &[Vec<Point2>],
+        width: f64,
+    ) -> Option<Spliced> {
         if width <= 0.0 {
             return None;
         }
@@ -165,7 +153,7 @@ impl Build {
         if fits(outline) {
             return None;
         }
-        spliced(outline, width, self.settings.kerf, fits)
+        spliced(outline, holes, width, self.settings.kerf, fits)
     }
 
     /// Adds the pieces of a panel to the parts, `P12.1` and `P12.2`, and the plates behind their seams,
@@ -182,10 +170,13 @@ impl Build {
                 PieceSide::Panel(k) => panel.bevels[*k],
                 PieceSide::Piece(_) => None,
             };
+            let outline = corners(&piece);
+            let is_in = |hole: &&Hole| is_inside(&outline, hole.outline()[0]);
             self.parts.push(CutPart {
                 name: name(k),
                 panels: panel.panels.clone(),
-                outline: corners(&piece),
+                holes: panel.holes.iter().filter(is_in).cloned().collect(),
+                outline,
                 neighbours: piece.iter().map(beyond).collect(),
                 bevels: piece.iter().map(bevel).collect(),
                 arrow: panel.arrow,
@@ -239,6 +230,9 @@ impl Build {
         let (model, kerf) = (self.mm_of_sheet(), self.settings.kerf);
         for (e, fin) in frame.fins.iter().enumerate() {
             let edge = &self.surface.edges[e];
+            if edge.is_bridge() {
+                continue;
+            }
             let name = beam_name(edge.ends);
             let fin = fin.as_ref().map_err(|why| *why).and_then(|fin| {
                 let scaled: Vec<Point2> =

@@ -1,6 +1,6 @@
 //! Reasons why something cannot be built, and the products that are still available.
 
-use crate::mesh::{Mesh, untouched_words};
+use crate::mesh::Mesh;
 use crate::words::{self, UNITS};
 use std::fmt;
 
@@ -50,9 +50,12 @@ impl Fault {
         ))
     }
 
-    /// Faces of the mesh that are left as they are.
+    /// Faces of the mesh that visit a vertex twice and are no panels with holes.
     pub(super) fn untouched(faces: usize) -> Fault {
-        Fault(untouched_words(faces))
+        let faces = words::count(faces, "face has", "faces have");
+        Fault(format!(
+            "{faces} the same vertex at two corners, and not only at bridges to holes: left unchanged, not built"
+        ))
     }
 
     /// A closed part of the surface whose panels face inwards; `all` parts do, or only some.

@@ -43,6 +43,9 @@ impl Build {
         self.left_out.unpaired_holes += ALONG.len() * cut.count();
         for (edge, e) in self.surface.edges.iter().zip(0..) {
             let [Some(f), Some(g)] = edge.panels else { continue };
+            if f == g {
+                continue;
+            }
             let cut = [f, g].map(|f| self.cut[f as usize].as_ref().map(|cut| (f, cut)));
             let [Some(one), Some(other)] = cut else { continue };
             match self.surface.length(edge) * self.mm_of_sheet() {
@@ -138,7 +141,13 @@ fn beside([p, q]: [Point2; 2], share: f64, away: f64) -> Point2 {
 
 /// Whether a hole leaves enough of a part, which is smaller than what is cut by `outside` on each side.
 fn has_room(part: &CutPart, centre: Point2, (diameter, outside): (f64, f64)) -> bool {
-    let apart = |hole: &Hole| distance(centre, hole.centre) >= 2.0 * LEAST * diameter;
+    let apart = |hole: &Hole| match hole.as_opening() {
+        None => distance(centre, hole.centre) >= 2.0 * LEAST * diameter,
+        Some(opening) => {
+            !is_inside(opening, centre)
+                && distance_to_outline(opening, centre) >= LEAST * diameter + outside
+        }
+    };
     is_inside(&part.outline, centre)
         && distance_to_outline(&part.outline, centre) >= LEAST * diameter + outside
         && part.holes.iter().all(apart)

@@ -25,8 +25,10 @@
 //! | `file` | SVG, DXF, PDF, CSV, GLB, pictures of sheets |
 //! | `build` | everything for one shape |
 //! | `cutting` | cuts, lays out and names the parts |
+//! | `outline` | the outlines of a panel and of its holes |
 //! | `discs` | node discs as parts |
 //! | `holes` | holes along edges, at the ends of fins, and through splice plates |
+//! | `strips` | strips that cover the joints between panels |
 //! | `relief` | reliefs in inner corners, for milling tools |
 //! | `check_card` | the build check: five numbers with limits, and the elements that exceed them |
 //! | `build_words` | the report in words |
@@ -39,7 +41,7 @@
 //! | `report_page` | the report as an HTML document of one page |
 //! | `view_axes` | directions of view, and where vertices are seen |
 //! | `key` | drawings that say where each part goes |
-//! | `tables` | lists of panels, splice plates, beams, pieces, edges, nodes and types |
+//! | `tables` | lists of panels, splice plates, cover strips, beams, pieces, edges, nodes and types |
 //! | `space` | the shape with its offset and beams in space |
 //! | `plates` | fins and node discs as plates in space |
 //! | `output` | all files of a build |
@@ -62,6 +64,7 @@ mod key;
 mod layer;
 mod numbers;
 pub mod offset;
+mod outline;
 mod output;
 pub mod panel;
 pub mod paper;
@@ -71,6 +74,7 @@ mod report;
 mod report_page;
 pub mod sheet;
 mod space;
+mod strips;
 mod surface;
 mod tables;
 mod tighten;
@@ -90,5 +94,6 @@ pub use panel::Stand;
 pub use report::{BuildReport, FrameReport, PaperReport};
 pub use report_page::ReportView;
 pub use space::{PRESENTATION, SpatialPart};
+pub use strips::CoverStrip;
 pub use surface::{Edge, PanelSurface};
 pub use tighten::{PanelSuggestion, SettingChange, SettingValue, Tighten};

@@ -133,9 +133,15 @@ impl Build {
                 sides.iter().map(|side| (name(side), bevel(side))).unzip();
             for hole in &mut part.holes {
                 let Some(slot) = &hole.slot else { continue };
-                let Relieved { outline, dropped, .. } = relieved(slot, true, radius, half);
+                let Relieved { outline, sides, dropped } = relieved(slot, true, radius, half);
                 self.left_out.dropped_reliefs += dropped;
-                *hole = Hole::slot(outline);
+                let name =
+                    |side: &Option<usize>| side.and_then(|k| hole.neighbours.get(k)?.clone());
+                let neighbours = match hole.as_opening() {
+                    Some(_) => sides.iter().map(name).collect(),
+                    None => Vec::new(),
+                };
+                *hole = Hole { neighbours, ..Hole::slot(outline) };
             }
         }
     }

@@ -112,10 +112,20 @@ pub struct BuildReport {
     pub narrow: Vec<String>,
     /// Parts that cannot be cut, each with the reason.
     pub not_cut: Vec<String>,
+    /// Holes of panels on sheets, as the model has them.
+    pub openings: usize,
     /// Panels that are cut into pieces.
     pub spliced: usize,
     /// The plates that join their pieces.
     pub plates: usize,
+    /// Panels that are cut as two triangles, since they bend more than their material takes.
+    pub halved: usize,
+    /// Strips over the joints between panels.
+    pub strips: usize,
+    /// Their length on the sheet, although they are cut of another material.
+    pub strip_length_mm: f64,
+    /// Joints without a strip for lack of room between those at their ends.
+    pub dropped_strips: usize,
     /// Area of all parts on sheets, without their holes.
     pub cut_area_mm2: f64,
     /// Length of their outlines and holes.
@@ -211,6 +221,9 @@ impl Build {
         let cut_area_mm2 = sum(CutPart::area);
         let holes = || on_sheets.iter().flat_map(|&part| &self.parts[part].holes);
         let around_holes = holes().map(Hole::perimeter).fold(0.0, |a, b| a + b);
+        let mut strips = self.strips();
+        let all_strips = strips.len();
+        strips.retain(|own| own.length > 0.0);
         let [width, height] = self.settings.sheet;
         let sheets = self.layout.sheets.len();
         let folds = self.surface.edges.iter();
@@ -240,8 +253,8 @@ impl Build {
                     Product::Paper => 0,
                     Product::Panels | Product::Fins => self.missing_parts(),
                 },
-            panels: self.names.len(),
-            edges: self.surface.edges.len(),
+            panels: self.names.len() - self.halves.len(),
+            edges: self.surface.real_edges().count(),
             nodes: nodes.len(),
             components: self.surface.parts,
             turned: self.surface.turned,
@@ -262,8 +275,13 @@ impl Build {
             narrow: boxes.iter().filter(is_narrow).map(|(part, _)| part.name.clone()).collect(),
             larger_sheet_mm: self.larger_sheet(),
             not_cut: self.not_cut.iter().map(|not| format!("{}: {}", not.part, not.why)).collect(),
+            openings: holes().filter(|hole| !hole.neighbours.is_empty()).count(),
             spliced: self.cut.iter().flatten().filter(|cut| cut.pieces > 1).count(),
             plates: self.splices.len(),
+            halved: self.halves.len(),
+            strips: strips.len(),
+            strip_length_mm: strips.iter().map(|own| own.length).fold(0.0, |a, b| a + b),
+            dropped_strips: all_strips - strips.len(),
             cut_area_mm2,
             cut_length_mm: sum(|part| perimeter(&part.outline)) - self.shared() + around_holes,
             joint_mm: self.settings.joint * self.mm_of_sheet(),

@@ -104,10 +104,12 @@ impl Build {
             ([110, 110, 115], [90, 50, 165], [115, 75, 45], [0, 90, 160]);
         let below = self.moved("", 0.0);
         let mut parts = vec![solid("Surface", grey, &below)];
-        parts.extend(self.panels().iter().map(|own| SpatialPart {
-            closed: true,
-            ..line("Panels", grey, &own.name, &own.points)
-        }));
+        for (own, f) in self.panels().iter().zip(0..) {
+            parts.extend(surface.rings(f).into_iter().map(|ring| {
+                let corners: Vec<Vec3<f64>> = ring.into_iter().map(|k| own.points[k]).collect();
+                SpatialPart { closed: true, ..line("Panels", grey, &own.name, &corners) }
+            }));
+        }
         if self.offset.is_some() {
             let above = self.moved("", self.distance());
             parts.push(solid("Offset", violet, &above));

@@ -6,7 +6,7 @@
 
 use super::fault::Fault;
 use crate::math::{Vec3, polygon_sides, twice_vector_area};
-use crate::mesh::{Mesh, Ragged, Topology, components, orientation};
+use crate::mesh::{Mesh, Ragged, Topology, components, orientation, rings_of, with_holes};
 
 /// The largest area due to rounding, as a fraction of the square of the longest side; and the largest
 /// length due to it, as a fraction of a side.
@@ -34,6 +34,11 @@ impl Edge {
         }
     }
 
+    /// Whether it is a bridge between the outline of a panel and a hole in it, or between two holes.
+    pub fn is_bridge(&self) -> bool {
+        matches!(self.panels, [Some(left), Some(right)] if left == right)
+    }
+
     /// Whether it has only one panel.
     pub fn is_rim(&self) -> bool {
         matches!(self.panels, [Some(_), None] | [None, Some(_)])
@@ -48,9 +53,10 @@ pub struct PanelSurface {
     /// The centre of the box.
     pub centre: Vec3<f64>,
     /// The corners of each panel, counterclockwise seen from outside. Its first side is that of the
-    /// face in the mesh.
+    /// face in the mesh, or of its outline: see [`PanelSurface::rings`]. Panels with holes are the last
+    /// ones.
     pub faces: Ragged,
-    /// The sides of faces, each once.
+    /// The sides of faces, each once, with the bridges of panels with holes.
     pub edges: Vec<Edge>,
     /// All panels of each edge.
     pub panels: Ragged,
@@ -65,7 +71,8 @@ pub struct PanelSurface {
     pub rims: Ragged,
     /// Number of connected components.
     pub parts: usize,
-    /// Number of faces of the mesh that are not among its panels: [`Mesh::untouched`].
+    /// Number of faces of the mesh that are not among its panels: those of [`Mesh::untouched`] that are
+    /// no panels with holes.
     pub untouched: usize,
     /// Panels that were reversed to agree with most of their component.
     pub turned: usize,
@@ -80,30 +87,34 @@ impl PanelSurface {
     /// If the mesh has no faces, as points and curves have no panels, or a corner of a face has no
     /// position in the file.
     pub fn new(mesh: &Mesh) -> Result<PanelSurface, Fault> {
-        if mesh.faces.is_empty() {
-            return Err(match mesh.untouched.len() {
+        let is_unplaced = |v: &&u32| mesh.unplaced.binary_search(v).is_ok();
+        let mut own_faces = mesh.faces.clone();
+        for face in mesh.untouched.iter().filter(|face| !face.iter().any(|v| is_unplaced(&v))) {
+            if let Some(face) = with_holes(face, &mesh.positions) {
+                own_faces.push(&face);
+            }
+        }
+        let untouched = mesh.faces.len() + mesh.untouched.len() - own_faces.len();
+        if own_faces.is_empty() {
+            return Err(match untouched {
                 0 => Fault::no_panels(mesh),
                 faces => Fault::untouched(faces),
             });
         }
-        let is_unplaced = |v: &&u32| mesh.unplaced.binary_search(v).is_ok();
         if let Some(&vertex) = mesh.faces.indices().iter().find(is_unplaced) {
             return Err(Fault::unplaced(vertex));
         }
-        let only_faces = Mesh {
-            positions: mesh.positions.clone(),
-            faces: mesh.faces.clone(),
-            ..Mesh::default()
-        };
+        let only_faces =
+            Mesh { positions: mesh.positions.clone(), faces: own_faces, ..Mesh::default() };
         let topology = Topology::new(&only_faces);
-        let (turned, contradictions) = orientation(&mesh.faces, &topology);
+        let (turned, contradictions) = orientation(&only_faces.faces, &topology);
         let crowded = topology.edge_faces().iter().filter(|faces| faces.len() > 2).count();
         let one_sided = match contradictions.last() {
             Some(&edge) => Some(Fault::one_sided(topology.edges()[edge as usize])),
             None => (crowded > 0).then(|| Fault::crowded_edges(crowded)),
         };
         let mut faces = Ragged::new();
-        for (face, &turned) in mesh.faces.iter().zip(&turned) {
+        for (face, &turned) in only_faces.faces.iter().zip(&turned) {
             match turned {
                 false => faces.push(face),
                 true => faces.push(&reversed(face)),
@@ -133,7 +144,7 @@ impl PanelSurface {
             panels,
             rims: topology.boundary_loops().clone(),
             parts: count_parts(&positions, &faces),
-            untouched: mesh.untouched.len(),
+            untouched,
             turned: turned.iter().filter(|&&turned| turned).count(),
             positions,
             centre,
@@ -144,6 +155,19 @@ impl PanelSurface {
             normals,
             one_sided,
         })
+    }
+
+    /// The sides of a panel, by the rings to which they belong: its outline, counterclockwise seen from
+    /// outside, then its holes, clockwise. Side `k` begins at corner `k`.
+    pub fn rings(&self, panel: u32) -> Vec<Vec<usize>> {
+        let sides = self.sides.row(panel as usize);
+        let bridge = |k: usize| Some(sides[k]).filter(|&e| self.edges[e as usize].is_bridge());
+        rings_of(sides.len(), bridge).unwrap_or_else(|| vec![(0..sides.len()).collect()])
+    }
+
+    /// Whether a panel has holes.
+    pub fn has_holes(&self, panel: u32) -> bool {
+        self.sides.row(panel as usize).iter().any(|&e| self.edges[e as usize].is_bridge())
     }
 
     /// The other panels of an edge of a panel, also where there are several.
@@ -238,7 +262,13 @@ impl PanelSurface {
     pub fn panels_around(&self) -> Vec<Vec<u32>> {
         let mut around = vec![Vec::new(); self.positions.len()];
         for (face, f) in self.faces.iter().zip(0..) {
-            face.iter().for_each(|&v| around[v as usize].push(f));
+            for &v in face {
+                let own: &mut Vec<u32> = &mut around[v as usize];
+                // At the end of a bridge a panel has two corners.
+                if own.last() != Some(&f) {
+                    own.push(f);
+                }
+            }
         }
         around
     }
@@ -258,9 +288,15 @@ impl PanelSurface {
         self.along(edge).length()
     }
 
-    /// `t_e`: the unit vector along an edge; zero if it has no length.
+    /// `t_e`: the unit vector along an edge; zero if it has no length, or is a bridge, along which nothing
+    /// is made.
     pub fn direction(&self, edge: &Edge) -> Vec3<f64> {
-        unit(self.along(edge))
+        if edge.is_bridge() { Vec3::zero() } else { unit(self.along(edge)) }
+    }
+
+    /// The edges that are no bridges.
+    pub fn real_edges(&self) -> impl Iterator<Item = &Edge> {
+        self.edges.iter().filter(|edge| !edge.is_bridge())
     }
 
     /// The edges with a length, along which beams are, with their `t_e`.
@@ -271,8 +307,8 @@ impl PanelSurface {
 
     /// The mean length of the edges.
     pub fn mean_edge(&self) -> f64 {
-        let total: f64 = self.edges.iter().map(|edge| self.length(edge)).sum();
-        total / self.edges.len().max(1) as f64
+        let total: f64 = self.real_edges().map(|edge| self.length(edge)).sum();
+        total / self.real_edges().count().max(1) as f64
     }
 
     /// `N_f`: the unit normal of a panel; zero if it has no area.

@@ -7,6 +7,7 @@
 //! | `bounds` | the size of a mesh: what it is made of, its bounding sphere and box, and the limit on coordinates |
 //! | `problem` | kinds and counts of the problems that do not stop reading a file |
 //! | `diagnostics` | the problems of a mesh as a whole: unused vertices, duplicate faces, non-manifold edges |
+//! | `rings` | the outline and the holes of a face that goes around both |
 //! | `sides` | the sides of all elements, grouped by edge |
 //! | `coincident` | vertices at one place, up to rounding |
 //! | `seams` | boundary vertices that lie on others without being joined |
@@ -30,6 +31,7 @@ mod laplacian;
 mod measure;
 mod polygon_mesh;
 mod problem;
+mod rings;
 mod seams;
 mod sides;
 mod topology;
@@ -69,6 +71,7 @@ pub use measure::{
 };
 pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
 pub use problem::{ElementKind, MeshProblem, ProblemKind, untouched_words};
+pub(crate) use rings::{rings_of, with_holes};
 pub use seams::seams;
 pub use topology::{
     Repeated, Topology, components, corners, edge_lines, hinges, orientation, repeated, stars,

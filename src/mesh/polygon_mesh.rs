@@ -22,8 +22,8 @@ pub struct Mesh {
     /// Named sets of faces and curves, which may overlap; none is empty. From a file they are in
     /// the order of their first members.
     pub groups: Vec<Group>,
-    /// Faces that visit a vertex twice, as those with a hole at the end of a slit: neither solved nor
-    /// built, and written as they came. None of [`Mesh::groups`] has them.
+    /// Faces that visit a vertex twice, as those with a hole at the end of a slit: not solved, built only as
+    /// panels with holes, and written as they came. None of [`Mesh::groups`] has them.
     pub untouched: Ragged,
     /// The vertices, ascending, whose positions are not in the file, since a coordinate is no number.
     /// Nothing is built of their faces.

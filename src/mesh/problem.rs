@@ -104,8 +104,8 @@ impl ProblemKind {
             }
             RepeatedCorner(_) => "with the same vertex twice in a row, which is kept once",
             SelfTouchingFace => {
-                "with the same vertex at two corners, as around a hole: exported unchanged, but neither \
-                 shown, solved nor built"
+                "with the same vertex at two corners, as around a hole: exported unchanged and, as panels \
+                 with holes, built, but neither shown nor solved"
             }
             UnknownStatement => "ignored",
             CutOff => "perhaps cut off by the end of the file: more may be missing",
@@ -120,11 +120,11 @@ impl ProblemKind {
     }
 }
 
-/// Says why these many faces, which a mesh has left as they are, are no panels.
+/// Says why of these many faces, which a mesh has left as they are, no panels are made by the solver.
 pub fn untouched_words(faces: usize) -> String {
     let faces = words::count(faces, "face has", "faces have");
     format!(
-        "{faces} the same vertex at two corners, as around a hole: left unchanged, neither solved nor built"
+        "{faces} the same vertex at two corners, as around a hole: left unchanged, and not solved"
     )
 }
 

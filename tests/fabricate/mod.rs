@@ -9,6 +9,7 @@ mod check;
 mod discs;
 mod dxf;
 mod expected;
+mod facade;
 mod files;
 mod glb;
 mod identities;

@@ -308,8 +308,8 @@ fn a_face_that_visits_a_vertex_twice_is_left_as_it_is_and_its_vertices_are_used(
     let said = problems.iter().find(|problem| problem.kind == ProblemKind::SelfTouchingFace);
     assert_eq!(
         said.unwrap().to_string(),
-        "1 face with the same vertex at two corners, as around a hole: exported unchanged, but \
-         neither shown, solved nor built, at line 20: `f 1 2 3 4 1 5 6 7 5`"
+        "1 face with the same vertex at two corners, as around a hole: exported unchanged and, as \
+         panels with holes, built, but neither shown nor solved, at line 20: `f 1 2 3 4 1 5 6 7 5`"
     );
     // It was missing from PLY and STL.
     let ply = read("full.ply", &write_ply(&mesh, &mesh.positions, &[])).unwrap().mesh;

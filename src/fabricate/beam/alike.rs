@@ -13,7 +13,8 @@ pub fn node_types(nodes: &[Option<Node>], tolerance_deg: f64, mirror: bool) -> T
 
 /// Sorts edges into types by length, within `tolerance` in the unit of the mesh.
 pub fn edge_types(surface: &PanelSurface, tolerance: f64) -> Types {
-    let lengths = surface.edges.iter().map(|edge| Some(Length(surface.length(edge))));
+    let lengths =
+        surface.edges.iter().map(|edge| (!edge.is_bridge()).then(|| Length(surface.length(edge))));
     Types::new(lengths, tolerance, false)
 }
 

@@ -89,7 +89,11 @@ impl View<'_> {
 
     /// Whether the middle of an edge is seen, and where it is.
     pub(super) fn edge(&self, edge: u32) -> Option<[Point2; 2]> {
-        let ends = self.surface.edges[edge as usize].ends.map(|v| v as usize);
+        let own = &self.surface.edges[edge as usize];
+        if own.is_bridge() {
+            return None;
+        }
+        let ends = own.ends.map(|v| v as usize);
         let [a, b] = ends.map(|v| self.seen.points[v]);
         let depth = 0.5 * (self.seen.depths[ends[0]] + self.seen.depths[ends[1]]);
         let own = self.surface.panels.row(edge as usize);
@@ -160,7 +164,7 @@ impl View<'_> {
     fn around_vertices(&self) -> (Vec<f64>, Vec<Vec<u32>>) {
         let mut shortest = vec![f64::INFINITY; self.seen.points.len()];
         let has_length = |edge: &&Edge| self.surface.length(edge) > 0.0;
-        for edge in self.surface.edges.iter().filter(has_length) {
+        for edge in self.surface.real_edges().filter(has_length) {
             let [a, b] = edge.ends.map(|v| v as usize);
             let long = distance(self.seen.points[a], self.seen.points[b]);
             [a, b].into_iter().for_each(|v| shortest[v] = shortest[v].min(long));

@@ -7,7 +7,7 @@ use crate::fabricate::surface::PanelSurface;
 use crate::math::Vec3;
 use crate::scene::OffsetKind;
 
-/// The numbers of one beam; zero for an edge without length, along which there is none.
+/// The numbers of one beam; zero for a bridge or an edge without length, along which there is none.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct BeamCheck {
     /// Largest distance of its four corners from their least-squares plane.
@@ -198,7 +198,7 @@ pub(super) fn errors(
         }
     };
     let is_flat = |ends: [u32; 2]| beam_warp(surface, ends, axes, depth) <= tolerance;
-    let warped = surface.edges.iter().map(|edge| edge.ends).filter(|&ends| !is_flat(ends));
+    let warped = surface.real_edges().map(|edge| edge.ends).filter(|&ends| !is_flat(ends));
     moved.into_iter().map(Inexact::Distance).chain(warped.map(Inexact::Warp)).collect()
 }
 

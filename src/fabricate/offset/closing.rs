@@ -54,10 +54,13 @@ pub fn closings(surface: &PanelSurface) -> Closings {
         let own = part(face[0]);
         openings[own] -= 1;
         let own = &mut parts[own];
-        match turn(surface, face) {
-            Some(angle) if angle > own.panel_deg => (own.panel_deg, own.panel) = (angle, f),
-            Some(_) => {}
-            None => own.odd_panels += 1,
+        for ring in surface.rings(f) {
+            let ring: Vec<u32> = ring.into_iter().map(|k| face[k]).collect();
+            match turn(surface, &ring) {
+                Some(angle) if angle > own.panel_deg => (own.panel_deg, own.panel) = (angle, f),
+                Some(_) => {}
+                None => own.odd_panels += 1,
+            }
         }
     }
     for rim in surface.rims.iter() {

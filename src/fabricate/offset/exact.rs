@@ -32,7 +32,7 @@ pub(super) fn exact_pass(
     }
     let mut axes = surface.normals.clone();
     system.reset(PROXIMAL, &axes);
-    for edge in &surface.edges {
+    for edge in surface.real_edges() {
         let t = surface.direction(edge);
         let [i, j] = edge.ends;
         let (own, across) = match kind {

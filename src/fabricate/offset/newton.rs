@@ -141,7 +141,7 @@ fn assemble(
 pub(super) fn energy(surface: &PanelSurface, kind: OffsetKind, mu: f64, axes: &[Vec3<f64>]) -> f64 {
     let mut sum = 0.0;
     let square = |x: f64| x * x;
-    for edge in &surface.edges {
+    for edge in surface.real_edges() {
         let t = surface.direction(edge);
         let [n, m] = edge.ends.map(|v| axes[v as usize]);
         sum += across_edge(m - n, t).length_squared();

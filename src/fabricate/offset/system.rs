@@ -36,7 +36,7 @@ impl System {
             excluded: used.iter().map(|used| !used).collect(),
             right: vec![Vec3::zero(); n],
         };
-        for edge in &surface.edges {
+        for edge in surface.real_edges() {
             let t = surface.direction(edge);
             let [i, j] = edge.ends;
             let across = identity_and_outer(1.0, -1.0, t);

@@ -7,6 +7,8 @@ use crate::math::plane::{Point2, area, cross, dot, is_inside, minus};
 
 /// Lines are parallel if the sine of their angle is smaller than this.
 const PARALLEL: f64 = 1e-9;
+/// Sides of a polygon are in line below this sine of the angle between them: they are moved equally far.
+const IN_LINE: f64 = 0.1;
 
 /// Moves every edge of a polygon inwards by `by`, or outwards if it is negative. An edge that would
 /// flip vanishes first: its ends become one corner. Returns none if less than a triangle is left, or
@@ -96,6 +98,24 @@ fn is_apart(polygon: &[Point2], moved: &[Point2], edges: &[Edge], left: &[usize]
     }) && polygon
         .iter()
         .all(|&p| left.iter().enumerate().all(|(k, &edge)| keeps(moved, k, edges[edge].by, p)))
+}
+
+/// The distances of the sides of a polygon, the larger one for sides that are in line: with different ones
+/// they would meet far away, or not at all.
+pub(in crate::fabricate) fn alike_in_line(corners: &[Point2], by: &[f64]) -> Vec<f64> {
+    let n = corners.len();
+    let along = |k: usize| direction_of(corners[k % n], corners[(k + 1) % n]);
+    let is_in_line = |k: usize| {
+        let (u, v) = (along(k), along(k + 1));
+        cross(u, v).abs() < IN_LINE && dot(u, v) > 0.0
+    };
+    let mut by = by.to_vec();
+    // Twice around, for several in line.
+    for k in (0..n).chain((0..n).rev()).filter(|&k| is_in_line(k)) {
+        let both = by[k].max(by[(k + 1) % n]);
+        (by[k], by[(k + 1) % n]) = (both, both);
+    }
+    by
 }
 
 /// An edge as a line with a direction.

@@ -3,6 +3,7 @@
 
 mod alike;
 mod assembly;
+mod bend;
 mod inset;
 mod name;
 mod polygon;
@@ -11,10 +12,13 @@ mod splice;
 pub(super) use crate::math::{ears as triangles, triangles_in_space, turn};
 pub use alike::panel_types;
 pub use assembly::{Stand, assembly_rows};
+pub(super) use bend::{Halves, bent_panels};
+pub(super) use inset::alike_in_line;
 pub use inset::{inset, inset_sides};
 pub use name::panel_names;
 pub(super) use polygon::{
-    check_size, direction_of, distance_to_outline, distinct_corners, sides, smallest_box_within,
+    are_apart, check_size, direction_of, distance_to_outline, distinct_corners,
+    roomiest_point_beside, sides, smallest_box_within,
 };
 pub use polygon::{hull, is_simple, perimeter, roomiest_point, smallest_box};
 pub(super) use splice::{PieceSide, SplicePlate, Spliced, corners, spliced};
@@ -26,7 +30,7 @@ use crate::math::{PrincipalAxes, Vec3};
 /// A panel in its plane. All lengths are in the unit of the mesh.
 #[derive(Clone, Debug)]
 pub struct FlatPanel {
-    /// Its corners, in the order of the surface.
+    /// Its corners, in the order of the surface: with holes, over bridges and back.
     pub corners: Vec<Point2>,
     /// Origin of the plane, near the centre of the box. A corner `(x, y)` is at
     /// `origin + x axes[0] + y axes[1]` in space.
@@ -50,7 +54,9 @@ pub fn lay_flat(surface: &PanelSurface, panel: u32) -> Option<FlatPanel> {
     }
     let face = surface.faces.row(panel as usize);
     let points: Vec<Vec3<f64>> = face.iter().map(|&v| surface.at(v)).collect();
-    let plane = Plane::of(&points);
+    // Each corner once, also at the ends of a bridge.
+    let own: Vec<_> = surface.rings(panel).into_iter().flatten().map(|k| points[k]).collect();
+    let plane = Plane::of(&own);
     let normal = if plane.normal.dot(outside) < 0.0 { -plane.normal } else { plane.normal };
     // x runs along the first edge.
     let mut along = (1..points.len()).map(|k| points[k] - points[0]);

@@ -54,6 +54,11 @@ pub fn is_simple(polygon: &[Point2]) -> bool {
     true
 }
 
+/// Whether no two sides of two polygons cross or touch.
+pub(in crate::fabricate) fn are_apart(one: &[Point2], other: &[Point2]) -> bool {
+    sides(one).all(|own| sides(other).all(|side| !cross_each_other(own, side)))
+}
+
 fn cross_each_other([a, b]: [Point2; 2], [c, d]: [Point2; 2]) -> bool {
     let side = |p: Point2, q: Point2, r: Point2| cross(minus(q, p), minus(r, p));
     let (u, v) = (side(a, b, c), side(a, b, d));
@@ -181,13 +186,24 @@ pub(in crate::fabricate) fn distance_to_outline(polygon: &[Point2], point: Point
 /// The point inside that is farthest from the outline, and its distance: a grid, refined around its
 /// best point. For labels a hundredth is accurate enough.
 pub fn roomiest_point(polygon: &[Point2]) -> (Point2, f64) {
+    roomiest_point_beside(polygon, &[])
+}
+
+/// As [`roomiest_point`], outside of some holes.
+pub(in crate::fabricate) fn roomiest_point_beside(
+    polygon: &[Point2],
+    holes: &[&[Point2]],
+) -> (Point2, f64) {
     const STEPS: i32 = 4;
     let [low, high] = bounds(polygon.iter().copied());
     let mut centre = [0.5 * (low[0] + high[0]), 0.5 * (low[1] + high[1])];
     let mut half = [0.5 * (high[0] - low[0]), 0.5 * (high[1] - low[1])];
-    let room = |point: Point2| match is_inside(polygon, point) {
-        true => distance_to_outline(polygon, point),
-        false => -distance_to_outline(polygon, point),
+    let room = |point: Point2| {
+        let outlines = holes.iter().copied().chain([polygon]);
+        let away =
+            outlines.map(|own| distance_to_outline(own, point)).fold(f64::INFINITY, f64::min);
+        let is_on = is_inside(polygon, point) && !holes.iter().any(|own| is_inside(own, point));
+        if is_on { away } else { -away }
     };
     let mut best = (centre, room(centre));
     for _ in 0..6 {

@@ -2,8 +2,8 @@
 //! the box of the panel. A plate behind each seam joins the two pieces at it, as butt blocks join the
 //! planks of a boat: of flat sheet no lap can be cut.
 
-use super::polygon::{check_size, sides, smallest_box};
-use crate::math::plane::{Point2, area, bounds, distance};
+use super::polygon::{are_apart, check_size, sides, smallest_box};
+use crate::math::plane::{Point2, area, bounds, distance, is_inside};
 
 /// Most columns, and most rows.
 const MOST: usize = 6;
@@ -49,9 +49,11 @@ pub(in crate::fabricate) struct Spliced {
 }
 
 /// Cuts an outline, which is drawn half the kerf outside the panel, into the fewest pieces that fit, and
-/// of equally few into the most even ones. Plates have this width. None if there are no such pieces.
+/// of equally few into the most even ones, with no seam and no plate across a hole. Plates have this width.
+/// None if there are no such pieces.
 pub(in crate::fabricate) fn spliced(
     outline: &[Point2],
+    holes: &[Vec<Point2>],
     width: f64,
     kerf: f64,
     fits: impl Fn(&[Point2]) -> bool,
@@ -61,7 +63,7 @@ pub(in crate::fabricate) fn spliced(
     grids.sort_by_key(|[columns, rows]| columns * rows);
     let of_count = |equal: &[[usize; 2]]| {
         let all = equal.iter().filter_map(|&counts| {
-            let own = Grid::new(outline, counts, width, 0.5 * kerf).cut(&fits)?;
+            let own = Grid::new((outline, holes), counts, width, 0.5 * kerf).cut(&fits)?;
             let areas = || own.pieces.iter().map(|piece| area(&corners(piece)));
             let (least, most) =
                 (areas().fold(f64::INFINITY, f64::min), areas().fold(0.0, f64::max));
@@ -82,6 +84,7 @@ pub(in crate::fabricate) fn corners(piece: &Piece) -> Vec<Point2> {
 /// Columns and rows of an outline.
 struct Grid<'a> {
     outline: &'a [Point2],
+    holes: &'a [Vec<Point2>],
     counts: [usize; 2],
     low: Point2,
     step: Point2,
@@ -91,10 +94,15 @@ struct Grid<'a> {
 }
 
 impl Grid<'_> {
-    fn new(outline: &[Point2], counts: [usize; 2], width: f64, half: f64) -> Grid<'_> {
+    fn new<'a>(
+        (outline, holes): (&'a [Point2], &'a [Vec<Point2>]),
+        counts: [usize; 2],
+        width: f64,
+        half: f64,
+    ) -> Grid<'a> {
         let [low, high] = bounds(outline.iter().copied());
         let step = [0, 1].map(|axis| (high[axis] - low[axis]) / counts[axis] as f64);
-        Grid { outline, counts, low, step, width, half }
+        Grid { outline, holes, counts, low, step, width, half }
     }
 
     /// The coordinate where a column or row begins.
@@ -120,7 +128,8 @@ impl Grid<'_> {
             }
             let outline = corners(&piece);
             let narrow = || smallest_box(&outline).1[1] < NARROWEST * self.width;
-            if check_size(&outline).is_err() || !fits(&outline) || narrow() {
+            let is_across = self.holes.iter().any(|hole| !are_apart(&outline, hole));
+            if check_size(&outline).is_err() || !fits(&outline) || narrow() || is_across {
                 return None;
             }
             for axis in [0, 1] {
@@ -185,7 +194,12 @@ impl Grid<'_> {
             _ => [along, across],
         };
         let is_long = high - low >= SHORTEST * self.width;
-        is_long.then(|| [corner(ends[0], low), corner(ends[1], high)])
+        let [low, high] = [corner(ends[0], low), corner(ends[1], high)];
+        let plate = [low, [high[0], low[1]], high, [low[0], high[1]]];
+        let is_beside = |hole: &Vec<Point2>| {
+            are_apart(&plate, hole) && !is_inside(&plate, hole[0]) && !is_inside(hole, low)
+        };
+        (is_long && self.holes.iter().all(is_beside)).then_some([low, high])
     }
 }
 
@@ -260,7 +274,7 @@ mod tests {
             (around(17, [600.0, 130.0]), 0.0, 3),
         ] {
             let Spliced { pieces, plates } =
-                spliced(&outline, 12.0, kerf, fits).expect("it is cut");
+                spliced(&outline, &[], 12.0, kerf, fits).expect("it is cut");
             assert_eq!(pieces.len(), count);
             // Along each seam the pieces overlap by the kerf.
             let sum: f64 = pieces.iter().map(|piece| area(&corners(piece))).sum();
@@ -293,11 +307,25 @@ mod tests {
     }
 
     #[test]
+    fn no_seam_and_no_plate_is_across_a_hole() {
+        let outline = [[0.0, 0.0], [500.0, 0.0], [500.0, 200.0], [0.0, 200.0]];
+        let hole = |x: f64| vec![[x, 80.0], [x + 40.0, 80.0], [x + 40.0, 120.0], [x, 120.0]];
+        // The seam of two halves would cross the first hole, and its plate the second.
+        for (x, count) in [(230.0, 3), (253.0, 3), (270.0, 2)] {
+            let found = spliced(&outline, &[hole(x)], 12.0, 0.0, fits).expect("it is cut");
+            assert_eq!(found.pieces.len(), count, "{x}");
+            for SplicePlate { corners: [low, high], .. } in found.plates {
+                assert!(high[0] < x || low[0] > x + 40.0);
+            }
+        }
+    }
+
+    #[test]
     fn a_panel_is_left_whole_that_no_pieces_of_it_fit_or_no_plate_can_join() {
         let huge = [[0.0, 0.0], [4000.0, 0.0], [4000.0, 200.0], [0.0, 200.0]];
-        assert!(spliced(&huge, 12.0, 0.0, fits).is_none());
+        assert!(spliced(&huge, &[], 12.0, 0.0, fits).is_none());
         // Seams of 12 mm.
         let slender = [[0.0, 0.0], [600.0, 0.0], [600.0, 12.0], [0.0, 12.0]];
-        assert!(spliced(&slender, 12.0, 0.0, fits).is_none());
+        assert!(spliced(&slender, &[], 12.0, 0.0, fits).is_none());
     }
 }

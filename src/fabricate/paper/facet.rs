@@ -111,7 +111,11 @@ pub(super) fn facets(
     let (mut facets, mut joints, mut without) = (Vec::new(), Vec::new(), Vec::new());
     for (panel, f) in flat.iter().zip(0..) {
         let first = facets.len();
-        match panel.as_ref().ok_or("it has no area").and_then(|panel| usable(panel, model)) {
+        let panel = match surface.has_holes(f) {
+            true => Err("it has a hole, and only panels that are cut singly have holes"),
+            false => panel.as_ref().ok_or("it has no area"),
+        };
+        match panel.and_then(|panel| usable(panel, model)) {
             Err(why) => without.push((f, why)),
             Ok(panel) if panel.flattening_error * model <= FLAT => {
                 facets.push(whole(surface, f, panel, model));

@@ -16,15 +16,11 @@
 //! meet in one point, those that share only a corner may overlap at its tip, by less than `c` in the tests.
 
 use super::facet::{Facet, FacetSide, FoldKind, Joint};
-use crate::fabricate::panel::{direction_of, inset_sides};
+use crate::fabricate::panel::{alike_in_line, direction_of, inset_sides};
 use crate::fabricate::surface::PanelSurface;
-use crate::math::plane::{Point2, cross, dot, rotated};
+use crate::math::plane::{Point2, rotated};
 use crate::math::{cosine, sine};
 use crate::scene::Fold;
-
-/// Sides of a facet are in line below this sine of the angle between them: they end equally far from
-/// their edges.
-const IN_LINE: f64 = 0.1;
 
 /// Distances in mm that differ by less are equal.
 const ROUNDING: f64 = 1e-6;
@@ -126,23 +122,6 @@ impl Card {
         let half_turns = 0.5 * fold / std::f64::consts::TAU;
         self.thickness * sine(half_turns) / cosine(half_turns).max(CLOSED)
     }
-}
-
-/// The distances of sides, the larger one for sides that are in line.
-fn alike_in_line(corners: &[Point2], by: &[f64]) -> Vec<f64> {
-    let n = corners.len();
-    let along = |k: usize| direction_of(corners[k % n], corners[(k + 1) % n]);
-    let is_in_line = |k: usize| {
-        let (u, v) = (along(k), along(k + 1));
-        cross(u, v).abs() < IN_LINE && dot(u, v) > 0.0
-    };
-    let mut by = by.to_vec();
-    // Twice around, for several in line.
-    for k in (0..n).chain((0..n).rev()).filter(|&k| is_in_line(k)) {
-        let both = by[k].max(by[(k + 1) % n]);
-        (by[k], by[(k + 1) % n]) = (both, both);
-    }
-    by
 }
 
 /// Sides moved inwards.

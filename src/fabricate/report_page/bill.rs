@@ -69,7 +69,7 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
 fn building(build: &Build, report: &BuildReport) -> Vec<Line> {
     let building = build.mm_of_building();
     let panels: f64 = build.surface.areas.iter().map(|area| area.length()).sum();
-    let edges: f64 = build.surface.edges.iter().map(|edge| build.surface.length(edge)).sum();
+    let edges: f64 = build.surface.real_edges().map(|edge| build.surface.length(edge)).sum();
     let alike = millimetres_limit(build.settings.alike);
     let mut lines = vec![
         ("Panels", format!("{}, {}", report.panels, area(panels * building * building))),

@@ -118,9 +118,11 @@ impl Picture<'_> {
     }
 
     fn panel(&self, f: u32, points: &[Point2], fill: &str) -> String {
-        let corners = self.build.surface.faces.row(f as usize).iter();
-        let d = path(corners.map(|&v| points[v as usize]));
-        format!("<path{fill} d=\"{d}Z\"/>\n")
+        let face = self.build.surface.faces.row(f as usize);
+        let ring =
+            |ring: Vec<usize>| path(ring.into_iter().map(|k| points[face[k] as usize])) + "Z";
+        let d: String = self.build.surface.rings(f).into_iter().map(ring).collect();
+        format!("<path{fill} d=\"{d}\"/>\n")
     }
 }
 

@@ -8,7 +8,7 @@ use super::lettering::{strokes, text_width};
 use super::part::Hole;
 use super::text_box::{ROOM, TextBox};
 use crate::fabricate::file::places;
-use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point, sides};
+use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point_beside, sides};
 use crate::math::plane::{Point2, distance, dot, rotated};
 
 /// Largest height of neighbours' names, in mm.
@@ -76,7 +76,8 @@ pub struct Inscription<'a> {
 
 /// Writes the labels that have room.
 pub fn label(own: Inscription<'_>) -> Labels {
-    let room = roomiest_point(own.outline);
+    let openings: Vec<&[Point2]> = own.holes.iter().filter_map(Hole::as_opening).collect();
+    let room = roomiest_point_beside(own.outline, &openings);
     let mut best: Option<(usize, Labels)> = None;
     for height in OWN {
         let (labels, has_arrow) = label_of_height(own, room, height);
@@ -100,11 +101,15 @@ fn label_of_height(
     own: f64,
 ) -> (Labels, bool) {
     let mut labels = Labels::default();
-    let nothing = || Labels {
-        dropped: neighbours.iter().flatten().count(),
-        small: true,
-        ..Labels::default()
-    };
+    let beyond_outline = sides(outline).zip(neighbours).enumerate();
+    let beyond_outline = beyond_outline.filter_map(|(k, (side, name))| {
+        Some((side, name.as_deref()?, bevels.get(k).copied().flatten()))
+    });
+    let in_holes = holes.iter().flat_map(Hole::named_sides).map(|(side, name)| (side, name, None));
+    // Each with the name of what lies beyond it, and its bevel.
+    let named_sides: Vec<([Point2; 2], &str, Option<f64>)> =
+        beyond_outline.chain(in_holes).collect();
+    let nothing = || Labels { dropped: named_sides.len(), small: true, ..Labels::default() };
     if radius <= 0.0 {
         return (nothing(), false);
     }
@@ -116,7 +121,9 @@ fn label_of_height(
     let longest = longest.unwrap_or(0);
     let across = direction_of(outline[longest], outline[(longest + 1) % n]);
     let beside = (OF_RADIUS * radius).clamp(LEAST, TALLEST);
-    let mut taken: Vec<TextBox> = holes.iter().map(TextBox::of_hole).collect();
+    let whole = with_openings(outline, holes);
+    let others = holes.iter().filter(|hole| hole.as_opening().is_none());
+    let mut taken: Vec<TextBox> = others.map(TextBox::of_hole).collect();
     let mut height = own * beside;
     // Try the roomiest point (it may be beside a hole at one end of a slender part) and the middle;
     // along the sheet and along the longest edge; with decreasing height until the name is inside.
@@ -129,7 +136,7 @@ fn label_of_height(
             .into_iter()
             .flat_map(|centre| directions.iter().map(move |&along| (centre, along)))
             .map(|(centre, along)| TextBox::of_text(name, height, centre, along))
-            .find(|own| own.is_in(outline) && taken.iter().all(|hole| own.is_apart(hole)));
+            .find(|own| own.is_in(&whole) && taken.iter().all(|hole| own.is_apart(hole)));
         if found.is_some() || height <= LEAST {
             break found;
         }
@@ -140,19 +147,18 @@ fn label_of_height(
     labels.texts.push(name.to_owned());
     taken.insert(0, own);
     let has_arrow =
-        arrow.is_some_and(|way| draw_arrow(outline, &mut labels, &mut taken, height, way));
+        arrow.is_some_and(|way| draw_arrow(&whole, &mut labels, &mut taken, height, way));
     let mut highest: f64 = 0.0;
-    // For each name that has room: its edge, its box among those taken, its words and its height.
-    let mut beside_edges: Vec<(usize, usize, String, f64)> = Vec::new();
+    // For each name that has room: its edge and the bevel there, its box among those taken, its words and
+    // its height.
+    let mut beside_edges: Vec<([Point2; 2], Option<f64>, usize, String, f64)> = Vec::new();
     let is_possible = |i: usize| !is_oriented || matches!(neighbours.get(i), Some(Some(_)));
     let possible_sides = sides(outline).enumerate().filter(|&(i, _)| is_possible(i));
     let possible_sides: Vec<[Point2; 2]> = possible_sides.map(|(_, side)| side).collect();
-    for (k, neighbour) in neighbours.iter().enumerate() {
-        let Some(neighbour) = neighbour else { continue };
-        let edge = [outline[k], outline[(k + 1) % outline.len()]];
+    for &(edge, neighbour, bevel) in &named_sides {
         let tallest = beside.min(height);
         let found = beside_edge(
-            outline,
+            &whole,
             (edge, &possible_sides),
             (neighbour, tallest),
             turn,
@@ -161,22 +167,21 @@ fn label_of_height(
         match found {
             Some((height, own)) => {
                 highest = highest.max(height);
-                beside_edges.push((k, taken.len(), neighbour.clone(), height));
+                beside_edges.push((edge, bevel, taken.len(), neighbour.to_owned(), height));
                 taken.push(own);
             }
             None => labels.dropped += 1,
         }
     }
     // A bevel takes no room from a name.
-    for (k, at, words, height) in &mut beside_edges {
-        let Some(bevel) = bevels.get(*k).copied().flatten() else { continue };
-        let edge = [outline[*k], outline[(*k + 1) % outline.len()]];
+    for (edge, bevel, at, words, height) in &mut beside_edges {
+        let Some(bevel) = *bevel else { continue };
         let longer = format!("{words} {}", bevel_words(bevel));
         let mut others = taken.clone();
         others.swap_remove(*at);
         let found = beside_edge(
-            outline,
-            (edge, &possible_sides),
+            &whole,
+            (*edge, &possible_sides),
             (&longer, *height),
             turn,
             (&others, holes),
@@ -185,7 +190,7 @@ fn label_of_height(
             (taken[*at], *words, *height) = (own, longer, lower);
         }
     }
-    for (_, at, words, height) in beside_edges {
+    for (_, _, at, words, height) in beside_edges {
         labels.lines.extend(strokes(&words, height, taken[at].centre, taken[at].along));
         labels.texts.push(words);
     }
@@ -199,6 +204,22 @@ fn label_of_height(
 fn bevel_words(degrees: f64) -> String {
     let sign = if degrees < 0.0 { '-' } else { '+' };
     format!("{sign}{}", places(degrees.abs(), 1))
+}
+
+/// An outline, and over bridges around the holes that a panel has in the model, in the other direction: what
+/// lies in them is outside.
+fn with_openings(outline: &[Point2], holes: &[Hole]) -> Vec<Point2> {
+    let mut whole = outline.to_vec();
+    for opening in holes.iter().filter_map(Hole::as_opening) {
+        let mut around: Vec<Point2> = opening.iter().rev().copied().collect();
+        let nearest = (0..around.len()).min_by(|&a, &b| {
+            let away = |k: usize| distance(outline[0], around[k]);
+            away(a).total_cmp(&away(b))
+        });
+        around.rotate_left(nearest.unwrap_or(0));
+        whole.extend([outline[0]].iter().chain(&around).chain(&around[..1]));
+    }
+    whole
 }
 
 /// A line below the text of a box.
@@ -229,7 +250,8 @@ fn beside_edge(
     let length = distance(p, q);
     let along = direction_of(p, q);
     let inwards = [-along[1], along[0]];
-    let beyond = holes.iter().map(|hole| hole.reach(p, inwards)).reduce(f64::min);
+    let others = holes.iter().filter(|hole| hole.as_opening().is_none());
+    let beyond = others.map(|hole| hole.reach(p, inwards)).reduce(f64::min);
     let mut height = tallest;
     loop {
         let width = text_width(name, height);

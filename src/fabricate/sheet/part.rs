@@ -1,6 +1,6 @@
 //! A part to be cut from a sheet, and its position there.
 
-use crate::fabricate::panel::perimeter;
+use crate::fabricate::panel::{perimeter, sides};
 use crate::math::plane::{Point2, area, bounds, distance, dot, minus, rotated};
 use crate::math::{cosine, sine};
 
@@ -72,12 +72,15 @@ pub struct Hole {
     pub radius: f64,
     /// The outline of a slot, counterclockwise, whose first side is along it; none of a round hole.
     pub slot: Option<Vec<Point2>>,
+    /// Of a hole that a panel has in the model, for each side of its outline the name of what lies
+    /// beyond it, if it is to be written there; empty of other holes.
+    pub neighbours: Vec<Option<String>>,
 }
 
 impl Hole {
     /// A round hole.
     pub fn round(centre: Point2, radius: f64) -> Hole {
-        Hole { centre, radius, slot: None }
+        Hole { centre, radius, slot: None, neighbours: Vec::new() }
     }
 
     /// A slot with this outline.
@@ -85,7 +88,24 @@ impl Hole {
         let [low, high] = bounds(outline.iter().copied());
         let centre = [0, 1].map(|x| 0.5 * (low[x] + high[x]));
         let radius = outline.iter().map(|&corner| distance(centre, corner)).fold(0.0, f64::max);
-        Hole { centre, radius, slot: Some(outline) }
+        Hole { centre, radius, slot: Some(outline), neighbours: Vec::new() }
+    }
+
+    /// A hole that a panel has in the model.
+    pub fn opening(outline: Vec<Point2>, neighbours: Vec<Option<String>>) -> Hole {
+        Hole { neighbours, ..Hole::slot(outline) }
+    }
+
+    /// The outline of a hole that a panel has in the model.
+    pub fn as_opening(&self) -> Option<&[Point2]> {
+        self.slot.as_deref().filter(|_| !self.neighbours.is_empty())
+    }
+
+    /// The sides at which a name is to be written, with the part on their left, and the name.
+    pub fn named_sides(&self) -> impl Iterator<Item = ([Point2; 2], &str)> {
+        let sides = self.as_opening().into_iter().flat_map(sides);
+        let named = sides.zip(&self.neighbours);
+        named.filter_map(|([p, q], name)| Some(([q, p], name.as_deref()?)))
     }
 
     /// A closed polygon, also for a circle: machines that sort by closed outlines then find only
@@ -191,6 +211,7 @@ impl CutPart {
                 mirror(slot);
                 slot.reverse();
             }
+            reverse_sides(&mut hole.neighbours);
         }
         for lines in [&mut self.engraved, &mut self.ridges, &mut self.valleys] {
             lines.iter_mut().for_each(mirror);

@@ -4,7 +4,7 @@ use super::place::{PLACE, place_cells};
 use crate::fabricate::beam::Frame;
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
-use crate::fabricate::surface::{beam_name, node_name};
+use crate::fabricate::surface::{Edge, beam_name, node_name};
 
 /// All tables, with the names of their files.
 pub(super) fn all(build: &Build, frame: &Frame) -> Vec<(&'static str, String)> {
@@ -85,7 +85,8 @@ fn prisms(build: &Build, frame: &Frame) -> String {
     let mut table = Table::new(&columns);
     let building = build.mm_of_building();
     let all = build.surface.edges.iter().zip(&frame.prisms).enumerate();
-    for (e, (edge, prism)) in all.filter(|(_, (edge, _))| build.surface.length(edge) > 0.0) {
+    let is_beam = |edge: &Edge| build.surface.length(edge) > 0.0 && !edge.is_bridge();
+    for (e, (edge, prism)) in all.filter(|(_, (edge, _))| is_beam(edge)) {
         let name = beam_name(edge.ends);
         let [a, b] = edge.ends.map(node_name);
         let length = build.surface.length(edge) * building;

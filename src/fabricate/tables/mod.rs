@@ -9,6 +9,7 @@ mod place;
 mod reading;
 mod shape;
 mod splices;
+mod strips;
 
 use super::build::Build;
 use super::file::{Cell, Table};
@@ -19,10 +20,11 @@ use crate::scene::{
 use serde_json::Value;
 
 /// The names of the files of all tables of all products.
-pub(super) const NAMES: [&str; 13] = [
+pub(super) const NAMES: [&str; 14] = [
     "panels.csv",
     "types.csv",
     "splices.csv",
+    "strips.csv",
     "fins.csv",
     "beams.csv",
     "node-beams.csv",
@@ -43,6 +45,10 @@ pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
                 vec![("panels.csv", panels::panels(build)), ("types.csv", panels::types(build))];
             if !build.splices.is_empty() {
                 tables.push(("splices.csv", splices::splices(build)));
+            }
+            let strips = build.strips();
+            if !strips.is_empty() {
+                tables.push(("strips.csv", strips::strips(build, &strips)));
             }
             tables
         }
@@ -74,6 +80,13 @@ fn summary(build: &Build, names: &[&str]) -> String {
     if report.spliced > 0 {
         row("panels in pieces", Cell::from(report.spliced), "");
         row("splice plates", Cell::from(report.plates), "");
+    }
+    if report.strips > 0 {
+        row("cover strips", Cell::from(report.strips), "");
+        row("length of cover strips", Cell::from(report.strip_length_mm), "sheet mm");
+    }
+    if report.halved > 0 {
+        row("panels cut as two triangles", Cell::from(report.halved), "");
     }
     row("parts without room for their name", Cell::from(report.unnamed.len()), "");
     row("sheets", Cell::from(report.sheets), "");

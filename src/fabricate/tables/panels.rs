@@ -32,7 +32,11 @@ pub(super) fn panels(build: &Build) -> String {
     for (f, name) in build.names.iter().enumerate() {
         let kind = build.types.of[f].map(type_name).unwrap_or_default();
         let corners = build.surface.faces.row(f);
-        let nodes: Vec<String> = corners.iter().map(|&v| node_name(v)).collect();
+        let rings = build.surface.rings(f as u32);
+        let around = |ring: &Vec<usize>| {
+            ring.iter().map(|&k| node_name(corners[k])).collect::<Vec<_>>().join(" ")
+        };
+        let nodes: Vec<String> = rings.iter().map(around).collect();
         let flat = build.flat[f].as_ref();
         let cut = build.cut[f].as_ref();
         let pieces = cut.map_or(vec![None], |cut| cut.parts().map(Some).collect());
@@ -51,7 +55,7 @@ pub(super) fn panels(build: &Build) -> String {
             let row = [
                 Cell::from(part.map_or(&**name, |part| &*part.name)),
                 Cell::from(&*kind),
-                Cell::from(corners.len()),
+                Cell::from(rings.iter().map(Vec::len).sum::<usize>()),
                 Cell::from(part.map(CutPart::area)),
                 Cell::from(part.map(|part| perimeter(&part.outline))),
                 Cell::from(size.map(|size| size[0])),
@@ -59,7 +63,7 @@ pub(super) fn panels(build: &Build) -> String {
                 Cell::from(flat.map(|flat| flat.flatness * building)),
                 Cell::from(flat.map(|flat| flat.flattening_error * building)),
             ];
-            let (order, nodes) = (Cell::from(build.order[f] as usize), nodes.join(" "));
+            let (order, nodes) = (Cell::from(build.order[f] as usize), nodes.join(" / "));
             let last = [order, Cell::from(&*nodes)];
             table.row(row.into_iter().chain(place_cells(part, on_sheet)).chain(last));
         }

@@ -1,7 +1,7 @@
 //! What the numbers of the tables and the letters on the sheets mean, for whoever has only the files.
 
 /// What is explained, and in which words.
-const READING: [(&str, &str); 32] = [
+const READING: [(&str, &str); 34] = [
     ("edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     ("edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -16,7 +16,13 @@ const READING: [(&str, &str); 32] = [
         "arrows",
         "upwards in the model, in the plane of the part; if it is within 5 degrees of level, to the top of key 1",
     ),
-    ("panels.csv nodes", "counterclockwise seen from outside"),
+        "panels.csv nodes",
+        "counterclockwise seen from outside; after a slash, clockwise around a hole",
+    ),
+    (
+        "panels.csv name",
+        "after a dot, the number of a piece: joined by plates, or if edges.csv has its name, a triangle",
+    ),
     ("panels.csv order", "of assembly, from the supports upwards"),
     ("panels.csv corners", "of the whole panel, also for a piece; nodes too"),
     (
@@ -31,6 +37,8 @@ const READING: [(&str, &str); 32] = [
     ),
     ("splices.csv x_sheet_mm", "of the lower left corner of its box; with y_sheet_mm"),
     ("splices.csv turn_deg", "direction of the seam, on the sheet, with piece_a on its left"),
+    ("strips.csv length_sheet_mm", "between square ends; strips do not overlap at a node"),
+    ("strips.csv cut_back_a_sheet_mm", "from node_a to the strip, along the edge"),
     (
         "fins.csv order",
         "of assembly, from the supports upwards, with the first of the panels beside it",

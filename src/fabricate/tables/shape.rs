@@ -26,7 +26,7 @@ pub(super) fn edges(build: &Build) -> String {
         let sides = build.surface.sides.row(f as usize).iter().zip(polygon_sides(face));
         sides.filter(|(_, [a, b])| a < b).for_each(|(&e, _)| ascending[e as usize].push(f));
     }
-    for (e, edge) in build.surface.edges.iter().enumerate() {
+    for (e, edge) in build.surface.edges.iter().enumerate().filter(|(_, edge)| !edge.is_bridge()) {
         let [a, b] = edge.ends;
         let name = beam_name(edge.ends);
         let (a, b) = (node_name(a), node_name(b));
@@ -62,7 +62,7 @@ pub(super) fn nodes(build: &Build) -> String {
         Table::new(&["name", "x_mm", "y_mm", "z_mm", "edges", "axis_x", "axis_y", "axis_z"]);
     let building = build.mm_of_building();
     let mut degrees = vec![0_usize; build.surface.positions.len()];
-    for edge in &build.surface.edges {
+    for edge in build.surface.real_edges() {
         edge.ends.iter().for_each(|&v| degrees[v as usize] += 1);
     }
     for (v, degree) in degrees.into_iter().enumerate().filter(|(_, degree)| *degree > 0) {

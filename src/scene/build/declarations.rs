@@ -138,6 +138,14 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(Parts, "thickness", "Thickness", number(Mm, ON_SHEET), "Thickness of the material."),
     setting(
         Parts,
+        "bend",
+        "Least bending radius",
+        number(Plain, FROM_0),
+        "In thicknesses: panels bent more are cut as two triangles. 0: none are.",
+    )
+    .of(&[Panels]),
+    setting(
+        Parts,
         "sheet[0]",
         "Sheet width",
         number(Mm, [ABOVE_0, LONGEST]),
@@ -160,6 +168,15 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     .of(&[Panels]),
     setting(
         Parts,
+        "setback",
+        "Setback at boundary",
+        number(Mesh, FROM_0),
+        "From the boundary of the model to the panels, in the unit of the mesh.",
+    )
+    .of(&[Panels])
+    .or("half the joint"),
+    setting(
+        Parts,
         "hole",
         "Holes",
         number(Mm, ON_SHEET),
@@ -172,6 +189,14 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "Splice plates",
         number(Mm, ON_SHEET),
         "Width of the plates that join the pieces of panels too large; 0: none.",
+    )
+    .of(&[Panels]),
+    setting(
+        Parts,
+        "strip",
+        "Cover strips",
+        number(Mm, ON_SHEET),
+        "Width of strips over the joints, listed with their lengths; 0: none.",
     )
     .of(&[Panels]),
     setting(
@@ -335,6 +360,7 @@ impl BuildSettings {
             // In JSON a number that is not finite is null, as an absent one.
             let null = || match setting.id {
                 "disc" => self.disc,
+                "setback" => self.setback,
                 "distance" => self.distance,
                 "beam_width" => self.beam_width,
                 _ => Some(f64::NAN),

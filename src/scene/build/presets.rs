@@ -8,7 +8,7 @@ use serde_json::Value;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
 pub enum PresetOf {
-    /// The material and its thickness.
+    /// The material, its thickness, and how far it bends if that is known.
     Material,
     /// How parts are cut: the kerf, the tool of a mill, and the gap that they need.
     Machine,
@@ -41,6 +41,8 @@ pub struct PresetValues {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub thickness: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    pub bend: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
     pub kerf: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub tool: Option<f64>,
@@ -67,6 +69,7 @@ impl BuildPreset {
 const NONE: PresetValues = PresetValues {
     material: None,
     thickness: None,
+    bend: None,
     kerf: None,
     tool: None,
     gap: None,
@@ -79,8 +82,14 @@ const fn material(
     name: &'static str,
     thickness: f64,
 ) -> BuildPreset {
-    let values = PresetValues { material: Some(name), thickness: Some(thickness), ..NONE };
+    let (material, thickness) = (Some(name), Some(thickness));
+    let values = PresetValues { material, thickness, bend: Some(0.0), ..NONE };
     BuildPreset { of: PresetOf::Material, id, label, values }
+}
+
+/// A material that is known to bend, without heat and elastically, to this many thicknesses.
+const fn bent(bend: f64, own: BuildPreset) -> BuildPreset {
+    BuildPreset { values: PresetValues { bend: Some(bend), ..own.values }, ..own }
 }
 
 const fn machine(id: &'static str, label: &'static str, kerf: f64, gap: f64) -> BuildPreset {
@@ -109,12 +118,16 @@ pub const BUILD_PRESETS: [BuildPreset; 25] = [
     material("card", "Card 0.5 mm", "card", 0.5),
     material("card-1.5", "Card 1.5 mm", "card", 1.5),
     material("mdf", "MDF 3 mm", "MDF", 3.0),
-    material("plywood-3", "Plywood 3 mm", "plywood", 3.0),
-    material("plywood-4", "Plywood 4 mm", "plywood", 4.0),
-    material("plywood-6", "Plywood 6 mm", "plywood", 6.0),
-    material("acrylic", "Acrylic 3 mm", "acrylic", 3.0),
-    material("aluminium", "Aluminium 2 mm", "aluminium", 2.0),
-    material("glass", "Glass 10 mm", "glass", 10.0),
+    // APA, Bending plywood: 5 ft for 1/4 inch, dry, parallel to the grain.
+    bent(240.0, material("plywood-3", "Plywood 3 mm", "plywood", 3.0)),
+    bent(240.0, material("plywood-4", "Plywood 4 mm", "plywood", 4.0)),
+    bent(240.0, material("plywood-6", "Plywood 6 mm", "plywood", 6.0)),
+    // Acrylite (Roehm), minimum cold formed radius of extruded and of cast sheet.
+    bent(330.0, material("acrylic", "Acrylic 3 mm", "acrylic", 3.0)),
+    // Half of 70 GPa over the 0.2 % proof stress of EN AW-5005 H14, 120 MPa: it springs back.
+    bent(290.0, material("aluminium", "Aluminium 2 mm", "aluminium", 2.0)),
+    // Sedak, cold bending of tempered glass.
+    bent(1500.0, material("glass", "Glass 10 mm", "glass", 10.0)),
     machine("hand", "By hand", 0.0, 3.0),
     machine("plotter", "Knife plotter", 0.0, 1.0),
     machine("laser", "Laser", 0.15, 1.0),

@@ -26,12 +26,17 @@ pub struct BuildSettings {
     pub follow: f64,
     /// The gap between neighbouring panels.
     pub joint: f64,
+    /// How far panels are from the boundary of the model; null for half the joint.
+    pub setback: Option<f64>,
     /// The denominator of the scale.
     pub scale: f64,
     /// The name of the material, printed on the sheets.
     pub material: String,
     /// Thickness of the material.
     pub thickness: f64,
+    /// The least radius, in thicknesses, to which panels are bent; those that need a smaller one are cut as
+    /// two triangles. 0 for any.
+    pub bend: f64,
     /// Width and height of a sheet.
     #[serde(deserialize_with = "fixed")]
     pub sheet: [f64; 2],
@@ -47,6 +52,8 @@ pub struct BuildSettings {
     pub hole: f64,
     /// Width of the plates that join the pieces of panels larger than the sheet; 0 for no pieces.
     pub splice: f64,
+    /// Width of the strips that cover the joints between panels; 0 for none.
+    pub strip: f64,
     /// Diameter of the node discs that fins are joined by; 0 for none, null for the smallest that has
     /// room at each node.
     pub disc: Option<f64>,
@@ -127,9 +134,11 @@ impl Default for BuildSettings {
             distance: None,
             follow: 0.01,
             joint: 0.0,
+            setback: None,
             scale: 50.0,
             material: "card".to_owned(),
             thickness: 0.5,
+            bend: 0.0,
             sheet: [420.0, 297.0],
             margin: 5.0,
             gap: 3.0,
@@ -137,6 +146,7 @@ impl Default for BuildSettings {
             tool: 0.0,
             hole: 0.0,
             splice: 0.0,
+            strip: 0.0,
             disc: Some(0.0),
             clearance: 0.1,
             order: Order::Size,

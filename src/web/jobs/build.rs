@@ -101,8 +101,8 @@ pub struct Builder {
 impl Builder {
     /// Makes the parts of a mesh of `positions`, `#V by 3`, and faces: face `f` has the corners
     /// from `offsets[f]` to `offsets[f + 1]` of `indices`. `unplaced` are the vertices whose positions
-    /// are guesses, `untouched` is the number of faces that are left as they are. `settings` are those
-    /// of the key `build` of a scene.
+    /// are guesses; the last faces, `untouched` many, are those that are left as they are. `settings` are
+    /// those of the key `build` of a scene.
     ///
     /// # Errors
     /// A mesh without faces or with guessed corners, a unit that is not known, or a setting out of its
@@ -120,9 +120,11 @@ impl Builder {
         let settings: BuildSettings = read(settings)?;
         let Site { symbol, z_up, held } = read(site)?;
         let stand = Stand { up: if z_up { Up::Z } else { Up::Y }, held };
-        // Only their number counts.
-        let untouched = std::iter::repeat_n([0_u32; 0], untouched).collect();
-        let mesh = Mesh { unplaced, untouched, ..mesh_of(positions, offsets, indices) };
+        let all = mesh_of(positions, offsets, indices);
+        let count = all.faces.len().saturating_sub(untouched);
+        let faces = all.faces.iter().take(count).collect();
+        let untouched = all.faces.iter().skip(count).collect();
+        let mesh = Mesh { faces, unplaced, untouched, ..all };
         let build = unit_of(&symbol).and_then(|unit| Build::new(&mesh, &settings, unit, &stand));
         let said = |fault: Fault| thrown(fault.sentence());
         Ok(Builder { build: build.map_err(said)?, z_up })
@@ -144,7 +146,11 @@ impl Builder {
     pub fn sheets(&self, count: usize) -> Result<Vec<Js<SheetPicture>>, JsValue> {
         let failed = self.build.failed_sides(&self.build.failed());
         let shown = failed.iter().enumerate().take(count);
-        let pictures = shown.map(|(k, failed)| picture(&self.build.drawing(k), failed));
+        let pictures = shown.map(|(k, failed)| {
+            let mut own = picture(&self.build.drawing(k), failed);
+            own.panels.iter_mut().for_each(|panels| *panels = self.faces_of(panels));
+            own
+        });
         plains(&pictures.collect::<Vec<_>>())
     }
 
@@ -164,8 +170,13 @@ impl Builder {
             points: AsIs(flat(&self.build.layer().unwrap_or_default())),
             edges: indices(&failed.edges.iter().flat_map(ends).collect::<Vec<_>>()),
             vertices: indices(&failed.nodes),
-            panels: indices(&failed.panels),
+            panels: indices(&self.faces_of(&failed.panels)),
         })
+    }
+
+    /// The faces that the view has of some panels.
+    fn faces_of(&self, panels: &[u32]) -> Vec<u32> {
+        panels.iter().filter_map(|&panel| self.build.face_of(panel)).collect()
     }
 
     /// Sets another distance of the offset, with the same axes and parts.

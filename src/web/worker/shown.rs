@@ -21,6 +21,8 @@ pub struct Connectivity {
     face_indices: AsIs<Uint32Array>,
     /// Where the corners of each face that is left as it is start: their number plus one.
     untouched_offsets: AsIs<Uint32Array>,
+    /// The corners of all faces that are left as they are.
+    untouched_indices: AsIs<Uint32Array>,
     /// The vertices, ascending, whose positions are guesses, since the file has none.
     unplaced: AsIs<Uint32Array>,
     /// Where the vertices of each polyline start, `#curves + 1`.
@@ -75,6 +77,7 @@ impl Solver {
             face_offsets: AsIs(self.face_offsets()?),
             face_indices: AsIs(self.face_indices()?),
             untouched_offsets: indices(mesh.untouched.offsets()),
+            untouched_indices: indices(mesh.untouched.indices()),
             unplaced: indices(&mesh.unplaced),
             curve_offsets: indices(mesh.curves.offsets()),
             curve_indices: indices(mesh.curves.indices()),

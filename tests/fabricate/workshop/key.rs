@@ -189,9 +189,12 @@ fn marks(files: &Files) -> BTreeMap<String, Vec<String>> {
             }
         }
         _ => {
+            // A triangle that is half of a panel has edges of its own; a piece has those of its panel.
+            let panels = sides_of_panels(files);
             for row in files.table("panels.csv").rows() {
                 let name = row.text("name");
-                add(name.split('.').next().unwrap(), name);
+                let piece = name.split('.').next().unwrap();
+                add(if panels.contains_key(name) { name } else { piece }, name);
             }
         }
     }

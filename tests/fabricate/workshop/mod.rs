@@ -113,6 +113,21 @@ fn panels_that_are_thick_have_their_bevels_at_their_edges() {
 }
 
 #[test]
+fn panels_cut_as_two_triangles_make_the_saddle_again() {
+    let saddle = grid(5, 4, |i, j| {
+        let [x, y] = [f64::from(i) - 1.3, 1.1 * f64::from(j) - 2.0];
+        [x, y, 0.1 * x * y + 0.01 * x * x * x]
+    });
+    let own = BuildSettings { joint: 0.01, kerf: 0.2, bend: 1500.0, ..of(Product::Panels) };
+    let made = build(&saddle, &own);
+    assert_eq!(made.halves.len(), 20);
+    let files = files(&made);
+    let found = panels::assemble(&files);
+    key::assert_shows(&files, &found);
+    found.assert_is(&saddle);
+}
+
+#[test]
 fn panels_larger_than_the_sheet_make_the_dome_again_from_pieces_joined_by_plates() {
     for (names, scale, hole) in [(Names::Index, 0.5, 0.0), (Names::Assembly, 0.8, 5.0)] {
         let own = BuildSettings {

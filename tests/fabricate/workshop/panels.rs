@@ -15,7 +15,10 @@ pub(super) fn assemble(files: &Files) -> Found {
     let by = 0.5 * (files.number("joint on the sheet") - files.number("Kerf (kerf)"));
     let sides = sides_of_panels(files);
     let is_inside = files.text("Print on the inside (print_inside)") == "on";
-    let mut parts = joined(files.parts().0, files.number("Kerf (kerf)"));
+    // A triangle that is half of a panel has edges of its own.
+    let (mut parts, pieces): (Vec<Part>, Vec<Part>) =
+        files.parts().0.into_iter().partition(|part| sides.contains_key(&part.name));
+    parts.extend(joined(pieces, files.number("Kerf (kerf)")));
     if is_inside {
         parts.iter_mut().for_each(turn_over);
     }
@@ -26,7 +29,9 @@ pub(super) fn assemble(files: &Files) -> Found {
         .map(|row| {
             let first = row.text("nodes").split(' ').next().unwrap().to_owned();
             // Pieces lie as the first one.
-            let name = row.text("name").trim_end_matches(".1").to_owned();
+            let name = row.text("name");
+            let is_whole = sides.contains_key(name);
+            let name = if is_whole { name } else { name.trim_end_matches(".1") }.to_owned();
             let turn = row.number("turn_deg");
             (name, (if is_inside { 180.0 - turn } else { turn }.to_radians(), first))
         })

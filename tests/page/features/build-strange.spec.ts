@@ -45,6 +45,12 @@ const STRANGE: [what: string, text: string, vertices: number, words: RegExp][] =
     `${[0, 4].map((x) => `v ${x} 0 0\nv ${x} 4 0\n`).join('')}v 1 1 0\nv 1 3 0\nv 3 1 0\nv 8 0 0
 v 8 4 0\nf 1 3 4 2 1 5 6 7 5\nf 3 8 9 4\n`,
     9,
+    /2 panels on 1 sheet.* 1 hole in a panel/,
+  ],
+  [
+    'a face that touches itself beside another',
+    'v 0 0 0\nv 1 0 0\nv 1 1 0\nv 2 1 0\nv 2 2 0\nv 0 1 0\nf 1 2 3 4 5 3\nf 1 3 6\n',
+    6,
     /1 face has the same vertex at two corners/,
   ],
 ];

@@ -20,7 +20,8 @@ const jobsThat = (hear: (name: string, shape: Shape | undefined) => void) => ({
 /** A triangle of a file without faces that are left as they are, and without guessed positions. */
 const triangle = {
   ...{ faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) },
-  ...{ untouchedOffsets: Uint32Array.of(0), unplaced: new Uint32Array(0) },
+  ...{ untouchedOffsets: Uint32Array.of(0), untouchedIndices: new Uint32Array(0) },
+  unplaced: new Uint32Array(0),
 };
 /** A document in which nothing is held. */
 const DOCUMENT = {
@@ -259,7 +260,11 @@ test('a build is told of guessed positions, of faces left as they are, of the un
   });
   const connectivity = {
     ...triangle,
-    ...{ untouchedOffsets: Uint32Array.of(0, 10, 20), unplaced: Uint32Array.of(1) },
+    ...{
+      untouchedOffsets: Uint32Array.of(0, 3, 5),
+      untouchedIndices: Uint32Array.of(5, 6, 7, 8, 9),
+    },
+    unplaced: Uint32Array.of(1),
   };
   const geometry = { generation: 1, positions: new Float64Array(9), connectivity };
   const { state, live } = withTriangle({ jobs, solver: { geometry } });
@@ -268,7 +273,15 @@ test('a build is told of guessed positions, of faces left as they are, of the un
   state.document.handles = [true, false].map((fixed, vertex) => ({ vertex, fixed }));
   await live.offers();
   await live.update();
-  const [{ site, unplaced, untouched }] = built;
+  const [{ site, offsets, indices, unplaced, untouched }] = built;
+  // The faces that are left as they are come last.
+  assert.deepEqual(
+    [[...offsets], [...indices]],
+    [
+      [0, 3, 6, 8],
+      [0, 1, 2, 5, 6, 7, 8, 9],
+    ],
+  );
   assert.deepEqual(site, { symbol: 'inches', z_up: true, held: [0] });
   assert.deepEqual([[...unplaced], untouched], [[1], 2]);
 });

@@ -9,7 +9,8 @@ import { createStore, type State } from '../../../www/store/state.ts';
 
 const mesh = () => ({
   ...{ faceOffsets: Uint32Array.of(0, 3), faceIndices: Uint32Array.of(0, 1, 2) },
-  ...{ untouchedOffsets: Uint32Array.of(0), unplaced: new Uint32Array(0) },
+  ...{ untouchedOffsets: Uint32Array.of(0), untouchedIndices: new Uint32Array(0) },
+  unplaced: new Uint32Array(0),
 });
 const soon = () => new Promise((done) => setTimeout(done));
 

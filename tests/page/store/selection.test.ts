@@ -38,6 +38,7 @@ const square = {
   faceOffsets: Uint32Array.of(0, 4),
   faceIndices: Uint32Array.of(0, 1, 2, 3),
   untouchedOffsets: Uint32Array.of(0),
+  untouchedIndices: new Uint32Array(0),
   unplaced: new Uint32Array(0),
   curveOffsets: Uint32Array.of(0),
   curveIndices: Uint32Array.of(),

@@ -1,7 +1,7 @@
 /** Keeps the parts up to date with the shape: one request at a time, for the newest state. */
 
 import { messageOf, retryIfCollateral, wasCollateral } from '../../solver/errors.ts';
-import type { Document as SceneDocument } from '../../pkg/engine/shape_up.js';
+import type { Connectivity, Document as SceneDocument } from '../../pkg/engine/shape_up.js';
 import type { PartsOwner, BuildSettings, Built, Reshaped } from '../../solver/types.ts';
 import { latestOnly, MOST_LIVE_VERTICES } from '../../store/latest-only.ts';
 import { metresOf } from '../../ui/words.ts';
@@ -11,6 +11,25 @@ import type { AppContext } from '../../app/context.ts';
 const LIVE_MS = 100;
 /** Maximum number of sheets drawn. */
 export const MOST_SHEETS = 24;
+
+/** The faces of a mesh, then those that are left as they are, which may be panels with holes. */
+function allFaces(mesh: Connectivity) {
+  const { faceOffsets, faceIndices, untouchedOffsets, untouchedIndices, unplaced } = mesh;
+  const ends = untouchedOffsets.subarray(1).map((end) => faceIndices.length + end);
+  return {
+    offsets: joined(faceOffsets, ends),
+    indices: joined(faceIndices, untouchedIndices),
+    unplaced,
+    untouched: ends.length,
+  };
+}
+
+function joined(first: Uint32Array, last: Uint32Array) {
+  const both = new Uint32Array(first.length + last.length);
+  both.set(first);
+  both.set(last, first.length);
+  return both;
+}
 
 interface Listener {
   show: (built: Built) => void;
@@ -100,9 +119,7 @@ export class LiveBuild {
       }
       [this.#key, this.#mesh, this.#agreed] = [key, mesh, agreed];
       [this.#generation, this.#document] = [generation, document];
-      const { faceOffsets: offsets, faceIndices: indices, unplaced } = mesh;
-      const untouched = mesh.untouchedOffsets.length - 1;
-      const faces = { offsets, indices, unplaced, untouched };
+      const faces = allFaces(mesh);
       const shape = { positions, ...faces, settings, site };
       const begun = performance.now();
       const built = await jobs.ask.build(this.#owner, shape, MOST_SHEETS);

@@ -11,7 +11,7 @@ export interface Shape {
   indices: Uint32Array;
   /** vertices whose positions are guesses */
   unplaced: Uint32Array;
-  /** number of faces that are left as they are */
+  /** number of faces, the last ones, that are left as they are */
   untouched: number;
   settings: BuildSettings;
   site: Site;

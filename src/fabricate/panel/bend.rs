@@ -1,0 +1,75 @@
+//! Panels of four corners that are not flat, and the radius to which they are bent in place. A sheet that
+//! is forced from flat to such corners becomes a saddle with its lines of curvature along the diagonals: if
+//! one corner of a parallelogram lies `w` from the plane of the others, a diagonal of length `d` is an arc of
+//! the sagitta `w/4`, hence of the radius `d^2 / (2 w)`. The shorter diagonal is bent most.
+
+use super::{FlatPanel, is_simple, triangles};
+use crate::fabricate::surface::{PanelSurface, unit};
+use crate::math::Vec3;
+
+/// A panel as two triangles of its vertices. The first begins with the first side of the panel.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(in crate::fabricate) struct Halves {
+    /// The panel.
+    pub panel: u32,
+    /// The corners, in the direction of the panel.
+    pub corners: [[u32; 3]; 2],
+}
+
+/// The radius to which a panel with these corners is bent; infinite if it is flat.
+fn bending_radius(corners: [Vec3<f64>; 4]) -> f64 {
+    let away = (0..4).map(|k| {
+        let [a, b, c, d] = [0, 1, 2, 3].map(|step| corners[(k + step) % 4]);
+        (a - b).dot(unit((c - b).cross(d - b))).abs()
+    });
+    let away = away.fold(0.0, f64::max);
+    let diagonal = |k: usize| (corners[k + 2] - corners[k]).length_squared();
+    let shorter = diagonal(0).min(diagonal(1));
+    if away > 0.0 { 0.5 * shorter / away } else { f64::INFINITY }
+}
+
+/// The panels of four corners that are bent to a radius below `least`, in the unit of the mesh, as
+/// triangles on both sides of the shorter diagonal that lies within the panel.
+pub(in crate::fabricate) fn bent_panels(
+    surface: &PanelSurface,
+    flat: &[Option<FlatPanel>],
+    least: f64,
+) -> Vec<Halves> {
+    let halves = |(panel, own): (u32, &Option<FlatPanel>)| {
+        let flat = own.as_ref()?;
+        let &[a, b, c, d] = surface.faces.row(panel as usize) else { return None };
+        let radius = bending_radius([a, b, c, d].map(|v| surface.at(v)));
+        if radius >= least || !is_simple(&flat.corners) {
+            return None;
+        }
+        let both = triangles(&flat.corners);
+        let has = |corner: usize| both.iter().all(|own| own.contains(&corner));
+        let corners = match (both.len(), has(0)) {
+            (2, true) => [[a, b, c], [c, d, a]],
+            (2, false) => [[a, b, d], [b, c, d]],
+            _ => return None,
+        };
+        Some(Halves { panel, corners })
+    };
+    (0..).zip(flat).filter_map(halves).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_radius_is_that_of_the_saddle_over_the_corners() {
+        // z = x y / 100 has the curvature 1/100 along both diagonals.
+        let saddle = |[x, y]: [f64; 2]| Vec3::new(x, y, 0.01 * x * y);
+        let square = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]].map(saddle);
+        assert!((bending_radius(square) - 100.0).abs() < 1e-1, "{}", bending_radius(square));
+        // However large, and wherever it begins.
+        let larger = square.map(|point| point * 3.0);
+        assert!((bending_radius(larger) - 3.0 * bending_radius(square)).abs() < 1e-9);
+        let [a, b, c, d] = square;
+        assert!((bending_radius([b, c, d, a]) - bending_radius(square)).abs() < 1e-9);
+        let flat = square.map(|point| Vec3::new(point.x, point.y, 0.0));
+        assert_eq!(bending_radius(flat), f64::INFINITY);
+    }
+}
