@@ -50,8 +50,10 @@ pub struct PaperReport {
     pub ridges: usize,
     /// Edges and creases folded to a valley.
     pub valleys: usize,
-    /// Glued edges.
+    /// Edges with a tab for glue.
     pub tabs: usize,
+    /// Edges with a tongue and its slot.
+    pub tongues: usize,
     /// Edges that are cut and have no tab, by the names of their panels: without room, or without
     /// one panel on either side.
     pub without_tab: Vec<String>,
@@ -375,6 +377,7 @@ impl Build {
             ridges: folds(FoldKind::Ridge),
             valleys: folds(FoldKind::Valley),
             tabs: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tab(_))).count(),
+            tongues: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tongue(_))).count(),
             without_tab: without_tab.map(|(joint, _)| panels(joint)).chain(beside).collect(),
             unpaired,
             creased: creased.len(),

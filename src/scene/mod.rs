@@ -45,7 +45,7 @@ pub(crate) use attempt::AttemptSetting;
 pub(crate) use build::Tiling;
 pub use build::{
     BUILD_PRESETS, BUILD_SETTINGS, BuildForm, BuildGroup, BuildOption, BuildPreset, BuildSetting,
-    BuildSettings, BuildUnit, CheckLimits, Dxf, Fold, Names, OffsetKind, Order, Page, Pieces,
+    BuildSettings, BuildUnit, CheckLimits, Dxf, Fold, Join, Names, OffsetKind, Order, Page, Pieces,
     PresetOf, PresetValues, Product,
 };
 pub use closeness::{Closeness, ClosenessWeight, Target};

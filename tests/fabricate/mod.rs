@@ -17,6 +17,7 @@ mod nesting;
 mod no_area;
 mod paper;
 mod paper_card;
+mod paper_cut;
 mod paper_names;
 mod picture;
 mod printed;

@@ -16,7 +16,7 @@ use crate::scene::{BUILD_SETTINGS, BuildForm, BuildSetting, BuildSettings, Build
 use serde_json::Value;
 
 /// The names of the files of all tables of all products.
-pub(super) const NAMES: [&str; 13] = [
+pub(super) const NAMES: [&str; 14] = [
     "panels.csv",
     "types.csv",
     "splices.csv",
@@ -27,6 +27,7 @@ pub(super) const NAMES: [&str; 13] = [
     "discs.csv",
     "pieces.csv",
     "joins.csv",
+    "tongues.csv",
     "edges.csv",
     "nodes.csv",
     "summary.csv",
@@ -71,6 +72,9 @@ fn summary(build: &Build, names: &[&str]) -> String {
     if report.spliced > 0 {
         row("panels in pieces", Cell::from(report.spliced), "");
         row("splice plates", Cell::from(report.plates), "");
+    }
+    if let Some(paper) = report.paper.as_ref().filter(|paper| paper.tongues > 0) {
+        row("tongues and slots", Cell::from(paper.tongues), "");
     }
     row("parts without room for their name", Cell::from(report.unnamed.len()), "");
     row("sheets", Cell::from(report.sheets), "");

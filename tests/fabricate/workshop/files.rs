@@ -36,6 +36,8 @@ pub(super) struct Part {
     pub(super) texts: Vec<Text>,
     pub(super) folds: Vec<[Point2; 2]>,
     pub(super) valleys: Vec<[Point2; 2]>,
+    /// What is cut out inside.
+    pub(super) holes: Vec<Vec<Point2>>,
 }
 
 /// Lines, and the name of their part.
@@ -121,6 +123,7 @@ impl Files {
             let [folds, valleys] = [sheet.lines("FOLD"), undashed(sheet.lines("VALLEY"))]
                 .map(|own| own.into_iter().map(|line| [line[0], line[1]]).collect());
             let (folds, valleys): (Vec<[Point2; 2]>, Vec<[Point2; 2]>) = (folds, valleys);
+            let holes = sheet.lines("HOLE");
             let mut is_on_part = vec![false; texts.len()];
             for (name, outlines) in sheet.layer("CUT") {
                 let [outline] = &outlines[..] else { panic!("{name} is one outline") };
@@ -135,6 +138,8 @@ impl Files {
                     texts: on_part.iter().map(|&k| texts[k].clone()).collect(),
                     folds: inside(&folds),
                     valleys: inside(&valleys),
+                    holes: (holes.iter().filter(|hole| is_inside(outline, hole[0])).cloned())
+                        .collect(),
                     outline: outline.clone(),
                     name: name.clone(),
                 });

@@ -137,6 +137,7 @@ fn panel(name: String, mut pieces: BTreeMap<String, Part>, kerf: f64) -> Part {
         texts,
         folds: Vec::new(),
         valleys: Vec::new(),
+        holes: Vec::new(),
         name,
     }
 }
