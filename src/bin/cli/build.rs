@@ -148,6 +148,9 @@ fn advice_line(Advice { words, choices }: &Advice) -> String {
         Some(format!("{} {}", declared(choice.setting)?.option()?, choice.value))
     };
     let options: Vec<String> = choices.iter().filter_map(option).collect();
+    if options.is_empty() {
+        return words.clone();
+    }
     format!("{words} Try {}.", options.join(" or "))
 }
 
