@@ -136,7 +136,9 @@
 //!   [`scene::BUILD_SETTINGS`], of which hosts make their forms and options. The edit `SetBuild`
 //!   stores it in the scene; the page's second worker passes it to `web::jobs::build`, which calls
 //!   [`fabricate::Build::new`]. A kerf, for instance, is applied to outlines in `fabricate/cutting`, to
-//!   holes in `fabricate/holes` and to slots in `fabricate/discs`; `fabricate/file/drawing` draws them, and `fabricate/output` writes the files.
+//!   those of paper in `fabricate/paper/kerf`, to holes in `fabricate/holes` and to slots in
+//!   `fabricate/discs` and `fabricate/paper/tongue`; `fabricate/file/drawing` draws them, and
+//!   `fabricate/output` writes the files.
 //! - A question of the page: a method in `web/worker`, such as `verdict` in `web/worker/questions`, whose
 //!   TypeScript types tsify and wasm-bindgen write; and its use in the page, `actions.ask.verdict()`. What
 //!   takes long is a method in `web/jobs`, such as `ModelCopy::forecast` on a copy of the model, and its

@@ -3,10 +3,10 @@
 use super::beam::Frame;
 use super::build::Build;
 use super::panel::{distinct_corners, smallest_box_within};
-use super::paper::PaperModel;
+use super::paper::{Card, FoldKind, PaperModel, PaperSize};
 use super::report::{BuildReport, JOINT_STEP};
 use crate::math::plane::{Point2, rotated};
-use crate::scene::{BuildSettings, Product};
+use crate::scene::{BuildSettings, Fold, Product};
 use crate::words;
 use serde::Serialize;
 use std::collections::BTreeSet;
@@ -22,6 +22,13 @@ const HANDY: f64 = 25.0;
 /// And the least one in mm, for hands and letters.
 const OF_THICKNESS: f64 = 20.0;
 const NARROWEST: f64 = 10.0;
+
+/// The thickest paper in mm: it folds as if it had no thickness.
+const PAPER: f64 = 0.3;
+/// The thickest card in mm that is creased, as for folding boxes: 0.35 to 0.57 mm in D. Babić, V.
+/// Kropar-Vančina, B. Lajić, "Grooving quality research on packaging cardboard". Cut half through, what is
+/// left is not to be thicker either.
+const CREASED: f64 = 0.6;
 
 /// A remark with the values of a setting that help.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -41,14 +48,51 @@ pub struct AdvisedValue {
     pub label: String,
     /// The setting, by its id among those of Build.
     pub setting: &'static str,
-    /// The value, in the unit of the setting; null for what an absent one stands for.
-    pub value: Option<f64>,
+    /// The value, as in a scene; null for what an absent one stands for.
+    pub value: Option<SettingValue>,
+}
+
+/// A value of a setting, as in a scene.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[serde(untagged)]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
+pub enum SettingValue {
+    /// A number, in the unit of the setting.
+    Number(f64),
+    /// One of the words of a choice.
+    Word(&'static str),
+}
+
+impl std::fmt::Display for SettingValue {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            SettingValue::Number(number) => number.fmt(f),
+            SettingValue::Word(word) => f.write_str(word),
+        }
+    }
 }
 
 impl AdvisedValue {
+    fn number(label: String, setting: &'static str, value: f64) -> AdvisedValue {
+        AdvisedValue { label, setting, value: Some(SettingValue::Number(value)) }
+    }
+
     fn scale(denominator: f64) -> AdvisedValue {
-        let label = format!("Scale 1:{denominator}");
-        AdvisedValue { label, setting: "scale", value: Some(denominator) }
+        AdvisedValue::number(format!("Scale 1:{denominator}"), "scale", denominator)
+    }
+
+    fn fold(fold: Fold) -> AdvisedValue {
+        let (label, word) = match fold {
+            Fold::Crease => ("Crease the folds", "crease"),
+            Fold::Score => ("Score the folds", "score"),
+            Fold::VCut => ("V-cut the folds", "v-cut"),
+            Fold::Separate => ("Separate the panels", "separate"),
+        };
+        AdvisedValue {
+            label: label.to_owned(),
+            setting: "fold",
+            value: Some(SettingValue::Word(word)),
+        }
     }
 }
 
@@ -60,6 +104,7 @@ impl Build {
             self.advice_on_pieces(report),
             self.advice_on_joint(report),
             self.advice_on_discs(),
+            self.advice_on_folds(),
         ];
         all.into_iter().flatten().collect()
     }
@@ -90,11 +135,11 @@ impl Build {
         large.all(|panel| can_be_spliced(panel).is_some()).then(|| Advice {
             words: "Panels that are larger than the sheet can be cut into pieces with plates behind their seams."
                 .to_owned(),
-            choices: vec![AdvisedValue {
-                label: format!("Splice plates {}", words::millimetres_limit(width)),
-                setting: "splice",
-                value: Some(width),
-            }],
+            choices: vec![AdvisedValue::number(
+                format!("Splice plates {}", words::millimetres_limit(width)),
+                "splice",
+                width,
+            )],
         })
     }
 
@@ -117,10 +162,15 @@ impl Build {
             let label = format!("Joint {}", self.as_entered(value));
             let is_new = choices.iter().all(|other| other.label != label);
             if is_new && self.made(scale, value) >= made {
-                choices.push(AdvisedValue { label, setting: "joint", value: Some(value) });
+                choices.push(AdvisedValue::number(label, "joint", value));
             }
         }
-        choices.sort_by(|a, b| a.value.unwrap_or(0.0).total_cmp(&b.value.unwrap_or(0.0)));
+        // The joints outside and inside.
+        let joint = |choice: &AdvisedValue| match choice.value {
+            Some(SettingValue::Number(joint)) => joint,
+            _ => 0.0,
+        };
+        choices.sort_by(|a, b| joint(a).total_cmp(&joint(b)));
         (!choices.is_empty()).then_some(Advice { words, choices })
     }
 
@@ -146,6 +196,54 @@ impl Build {
                 setting: "disc",
                 value: None,
             }],
+        })
+    }
+
+    /// What becomes of creased card that is thicker than paper, and the folds that allow for the thickness.
+    fn advice_on_folds(&self) -> Option<Advice> {
+        let (BuildSettings { fold, thickness, scale, joint, .. }, model) =
+            (&self.settings, self.paper.as_ref()?);
+        if *fold != Fold::Crease || *thickness <= PAPER {
+            return None;
+        }
+        let scored = |fold: Fold| {
+            let card = Card { fold, thickness: *thickness };
+            PaperSize { card, tab: 0.0, slots: None, ..self.paper_size(*scale) }
+        };
+        let ridges = model.net.joints.iter().filter(|joint| joint.kind() == FoldKind::Ridge);
+        let steepest = ridges.map(|joint| joint.fold).fold(0.0, f64::max);
+        let too_long = 2.0 * scored(Fold::Score).card.back(steepest);
+        if too_long < JOINT_STEP {
+            return None;
+        }
+        let (why, ways) = match *thickness {
+            thin if thin <= CREASED => (
+                "It can be creased, as for folding boxes; if it is scored, panels are shorter by that, and edges \
+                 are glued to each other without tabs.",
+                &[Fold::Score][..],
+            ),
+            card if card <= 2.0 * CREASED => (
+                "It breaks if it is creased: cut half through, what is left can be folded; a V-cut leaves the \
+                 outside whole.",
+                &[Fold::Score, Fold::VCut][..],
+            ),
+            _ => (
+                "It breaks if it is creased, and half of it is too thick to be folded: cut a V on the inside, or, \
+                 with a laser, which cuts square, cut panels apart.",
+                &[Fold::VCut, Fold::Separate][..],
+            ),
+        };
+        let made = self.made(*scale, *joint);
+        let is_made =
+            |fold: &&Fold| PaperModel::made_at(&self.surface, &self.flat, scored(**fold)) >= made;
+        Some(Advice {
+            words: format!(
+                "Creases do not allow for the thickness: the inside of card of {} is {} too long at the \
+                 steepest ridge. {why}",
+                words::millimetres_limit(*thickness),
+                words::millimetres(too_long),
+            ),
+            choices: ways.iter().filter(is_made).map(|fold| AdvisedValue::fold(*fold)).collect(),
         })
     }
 
@@ -272,12 +370,52 @@ mod tests {
         build.words(&report).advice
     }
 
-    fn follow(own: &mut BuildSettings, AdvisedValue { setting, value, .. }: &AdvisedValue) {
-        match *setting {
-            "disc" => own.disc = *value,
-            "joint" => own.joint = value.expect("a number"),
-            _ => own.scale = value.expect("a number"),
+    /// The numbers that are advised.
+    fn numbers(given: &[Advice]) -> Vec<f64> {
+        let values = given.iter().flat_map(|own| &own.choices).map(|own| own.value);
+        let number = |value| match value {
+            Some(SettingValue::Number(number)) => Some(number),
+            _ => None,
+        };
+        values.filter_map(number).collect()
+    }
+
+    /// The folds that are advised for card of this thickness, and the remark.
+    fn folds(mesh: &Mesh, thickness: f64) -> (Vec<SettingValue>, String) {
+        let (product, scale) = (Product::Paper, 20.0);
+        let own = BuildSettings { product, thickness, scale, ..BuildSettings::default() };
+        let given = advice(mesh, &own).into_iter().find(|own| own.words.starts_with("Creases"));
+        let given = given.unwrap_or(Advice { words: String::new(), choices: Vec::new() });
+        (given.choices.iter().filter_map(|own| own.value).collect(), given.words)
+    }
+
+    #[test]
+    fn folds_that_allow_for_the_thickness_are_advised_for_card_by_its_thickness() {
+        for (thickness, expected) in [
+            (0.2, &[][..]),
+            (0.5, &["score"][..]),
+            (1.0, &["score", "v-cut"][..]),
+            (1.5, &["v-cut", "separate"][..]),
+            (2.0, &["v-cut", "separate"][..]),
+        ] {
+            let (found, words) = folds(&ridge(1.0, 30.0), thickness);
+            let expected: Vec<_> = expected.iter().map(|word| SettingValue::Word(*word)).collect();
+            assert_eq!(found, expected, "{thickness}");
+            // Both panels have c tan(theta/2) too much.
+            let too_long = 2.0 * thickness * libm::tan(30.0_f64.to_radians());
+            let told = format!("is {} too long", crate::words::millimetres(too_long));
+            assert_eq!(words.contains(&told), !expected.is_empty(), "{words}");
         }
+        // Nothing is too long without ridges, and nothing helps where folds leave nothing.
+        assert_eq!(folds(&floor(), 2.0), (Vec::new(), String::new()));
+        let (found, words) = folds(&ridge(0.02, 60.0), 2.0);
+        assert!(found.is_empty() && !words.is_empty(), "{found:?}");
+    }
+
+    fn follow(own: &mut BuildSettings, AdvisedValue { setting, value, .. }: &AdvisedValue) {
+        let value = serde_json::to_value(value).expect("it is plain");
+        let given = [((*setting).to_owned(), value)].into_iter().collect();
+        *own = own.with_all(given).expect("it is valid");
     }
 
     #[test]
@@ -289,10 +427,13 @@ mod tests {
             for (k, mesh) in ridges.iter().chain([&floor()]).enumerate() {
                 let mut own = settings.clone();
                 let mut given = 0;
-                while let Some(first) = advice(mesh, &own).first().cloned() {
-                    follow(&mut own, first.choices.first().expect("a choice"));
+                let first = |own: &BuildSettings| {
+                    advice(mesh, own).into_iter().find(|own| !own.choices.is_empty())
+                };
+                while let Some(first) = first(&own) {
+                    follow(&mut own, &first.choices[0]);
                     given += 1;
-                    assert!(given <= 2, "{product:?} {k}: {first:?}");
+                    assert!(given <= 3, "{product:?} {k}: {first:?}");
                 }
                 let meet = product == Product::Panels && k < ridges.len();
                 assert!(given > 0 || !meet, "{k}: panels of 3 mm meet inside");
@@ -305,9 +446,7 @@ mod tests {
         let at = |scale: f64| {
             let (product, sheet) = (Product::Paper, [420.0, 297.0]);
             let own = BuildSettings { product, sheet, scale, ..BuildSettings::default() };
-            let given = advice(&floor(), &own);
-            let choices = given.iter().flat_map(|own| &own.choices);
-            choices.filter_map(|own| own.value).collect::<Vec<_>>()
+            numbers(&advice(&floor(), &own))
         };
         assert_eq!([at(25.0), at(50.0), at(200.0)], [vec![50.0], vec![], vec![50.0]]);
     }
@@ -341,11 +480,7 @@ mod tests {
                 scale: 25.0,
                 ..BuildSettings::default()
             };
-            advice(&mesh, &own)
-                .iter()
-                .flat_map(|own| &own.choices)
-                .filter_map(|own| own.value)
-                .collect::<Vec<f64>>()
+            numbers(&advice(&mesh, &own))
         };
         // The folds take 1.7 mm from either side: of 2 mm at 1:50, or of 8 mm.
         assert_eq!([at(0.1), at(0.4)], [vec![], vec![50.0]]);

@@ -307,8 +307,8 @@ impl Build {
         if self.pages() > MOST_PAGES { Page::Sheet } else { self.settings.page }
     }
 
-    /// The height of tabs in mm of the sheet, which only creased paper has; 0 for none, and for lower
-    /// ones than are made.
+    /// The height of tabs, tongues and flanges in mm of the sheet, which only creased paper has; 0 for
+    /// none, and for lower ones than are made.
     pub(super) fn tab(&self) -> f64 {
         let BuildSettings { fold, tab, .. } = self.settings;
         if fold == Fold::Crease && tab >= LEAST_TAB { tab } else { 0.0 }
@@ -430,11 +430,13 @@ impl Build {
             _ if self.settings.print_inside => "SEEN FROM INSIDE, MIRRORED",
             Product::Panels | Product::Paper => "SEEN FROM OUTSIDE",
         };
+        let has_tongues = self.paper.as_ref().is_some_and(PaperModel::has_tongues);
         let arrow = match self.settings.product {
             Product::Panels => "ARROW: UP, IF LEVEL TO THE TOP OF KEY 1",
             Product::Fins if self.discs.is_empty() => "ARROW: TO THE SIDE AT THE EDGE OF THE MODEL",
             Product::Fins => "ARROW OF A FIN: TO THE SIDE AT THE EDGE OF THE MODEL",
             Product::Paper => match (self.settings.fold, self.settings.print_inside) {
+                (Fold::Crease, _) if has_tongues => "TONGUES GO INTO THE SLOTS OF THEIR NAME",
                 (Fold::Crease, _) => "",
                 (Fold::Score, _) => {
                     "CUT HALF THROUGH: SOLID LINES FROM THIS SIDE, DASHED FROM BEHIND"

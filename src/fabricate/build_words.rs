@@ -10,7 +10,7 @@ use super::offset::Choice;
 use super::paper::LEAST_TAB;
 use super::report::{BuildReport, FrameReport, JOINT_STEP};
 use super::tighten::PanelSuggestion;
-use crate::scene::{BuildSettings, Fold, OffsetKind, Product, panel_adjective};
+use crate::scene::{BuildSettings, Fold, Join, OffsetKind, Product, panel_adjective};
 use crate::words;
 use serde::Serialize;
 
@@ -195,10 +195,10 @@ impl BuildReport {
             let within = words::brief(frame.alike_deg);
             types(frame.node_types, &format!(" of nodes within {within}°"))
         }));
-        let tabs = self.paper.as_ref().map_or(0, |paper| paper.tabs);
-        if tabs > 0 {
-            line.push(count(tabs, "tab"));
-        }
+        let [tongues, tabs] =
+            self.paper.as_ref().map_or([0; 2], |paper| [paper.tongues, paper.tabs]);
+        let joins = [(tongues, "tongue"), (tabs, "tab")].into_iter();
+        line.extend(joins.filter(|(number, _)| *number > 0).map(|(n, noun)| count(n, noun)));
         line.join(", ")
     }
 
@@ -248,6 +248,10 @@ impl BuildReport {
         });
         let has_low_tabs =
             settings.fold == Fold::Crease && settings.tab > 0.0 && settings.tab < LEAST_TAB;
+        let glued = match settings.join {
+            Join::Slots => self.paper.as_ref().map_or(0, |paper| paper.tabs),
+            Join::Tabs => 0,
+        };
         let left = self.left_out;
         let without_prism = self.frame.as_ref().map_or(0, |frame| frame.without_prism);
         [
@@ -328,6 +332,13 @@ impl BuildReport {
             ),
             (self.paper.is_some() && has_low_tabs)
                 .then(|| format!("Tabs lower than {LEAST_TAB} mm are not made.")),
+            counted(
+                glued,
+                format!(
+                    "No room for {}: tabs for glue instead.",
+                    words::count(glued, "tongue and its slot", "tongues and their slots")
+                ),
+            ),
             named(bare, format!("No tab between {}.", some(bare))),
             named(unpaired, format!("Not joined along their edges: {}.", some(unpaired))),
             named(

@@ -9,7 +9,7 @@ use super::panel::{
     PieceSide, SplicePlate, Spliced, Stand, check_size, corners, direction_of, distinct_corners,
     inset, smallest_box, smallest_box_within, spliced,
 };
-use super::paper::{Card, MissingNames, PaperModel, PaperSize, drawn, write_names};
+use super::paper::{Card, Fit, MissingNames, PaperModel, PaperSize, drawn, reach, write_names};
 use super::report::JOINT_STEP;
 use super::sheet::{
     CutPart, Hole, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
@@ -18,7 +18,7 @@ use super::surface::{beam_name, node_name};
 use super::view_axes::upwards_in;
 use crate::math::plane::{Point2, area, bounds, is_inside, length, minus, rotated};
 use crate::math::{cosine, sine};
-use crate::scene::{BuildSettings, Product, Up};
+use crate::scene::{BuildSettings, Join, Product, Up};
 
 impl Build {
     /// Cuts all parts of a shape that stands like this, lays them out, and names them.
@@ -272,18 +272,21 @@ impl Build {
 
     /// The sizes of a paper model at this scale.
     pub(super) fn paper_size(&self, scale: f64) -> PaperSize {
-        let BuildSettings { sheet, margin, fold, thickness, .. } = self.settings;
-        let room = sheet.map(|side| side - 2.0 * margin);
+        let BuildSettings { sheet, margin, fold, join, thickness, clearance, kerf, .. } =
+            self.settings;
+        let room = sheet.map(|side| side - 2.0 * (margin + reach(kerf)));
         let card = Card { fold, thickness };
-        PaperSize { model: self.mm_of_sheet_at(scale), room, tab: self.tab(), card }
+        let slots = (join == Join::Slots).then_some(Fit { thickness, clearance, kerf });
+        PaperSize { model: self.mm_of_sheet_at(scale), room, tab: self.tab(), slots, card }
     }
 
     /// Cuts the pieces of a paper model; `write_names` finds neighbours, which depend on the tabs.
     fn cut_paper(&mut self) {
-        let BuildSettings { pieces, print_inside, scale, .. } = self.settings;
+        let BuildSettings { pieces, print_inside, scale, kerf, .. } = self.settings;
         let size = self.paper_size(scale);
         let model = PaperModel::new(&self.surface, &self.flat, pieces, size, &self.settings.seams);
-        self.parts = (0..model.pieces.len()).map(|k| drawn(&model, k, print_inside)).collect();
+        let pieces = 0..model.pieces.len();
+        self.parts = pieces.map(|k| drawn(&model, k, print_inside, kerf)).collect();
         for &(panel, why) in &model.without {
             let panel = panel as usize;
             let is_part = self.flat[panel].is_some();

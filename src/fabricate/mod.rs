@@ -20,7 +20,7 @@
 //! | `panel` | panels laid flat, the joint, names, types, pieces of large ones, the order of assembly |
 //! | `offset` | node axes, exact or fitted, and the check of an offset |
 //! | `beam` | beams along the edges: nodes, fins, node discs, prisms |
-//! | `paper` | paper models: nets and strips with folds and tabs, or of card with a thickness |
+//! | `paper` | paper models: nets and strips with folds, and tabs or tongues in slots, or of card with a thickness |
 //! | `sheet` | parts, letters, labels, the layout on sheets |
 //! | `file` | SVG, DXF, PDF, CSV, GLB, pictures of sheets |
 //! | `build` | everything for one shape |
@@ -80,7 +80,7 @@ mod tables;
 mod tighten;
 mod view_axes;
 
-pub use advice::{Advice, AdvisedValue};
+pub use advice::{Advice, AdvisedValue, SettingValue};
 pub use alike::Types;
 pub use build::{Build, CutDisc, CutPanel, LeftOut, NotCut, Splice, unit_of};
 pub use build_words::{BuildWords, CardWords, CheckWords};

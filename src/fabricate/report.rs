@@ -52,8 +52,10 @@ pub struct PaperReport {
     pub valleys: usize,
     /// Edges that the settings have cut.
     pub seams: usize,
-    /// Glued edges.
+    /// Edges with a tab for glue.
     pub tabs: usize,
+    /// Edges with a tongue and its slot.
+    pub tongues: usize,
     /// Edges that are cut and have no tab, by the names of their panels: without room, or without
     /// one panel on either side.
     pub without_tab: Vec<String>,
@@ -431,6 +433,7 @@ impl Build {
             valleys: folds(FoldKind::Valley),
             seams: self.settings.seams.len(),
             tabs: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tab(_))).count(),
+            tongues: joint_kinds.iter().filter(|kind| matches!(kind, JointKind::Tongue(_))).count(),
             without_tab: without_tab.map(|(joint, _)| panels(joint)).chain(beside).collect(),
             unpaired,
             creased: creased.len(),

@@ -42,7 +42,7 @@ pub use crate::sparse::Factorization;
 pub(crate) use attempt::AttemptSetting;
 pub use build::{
     BUILD_PRESETS, BUILD_SETTINGS, BuildForm, BuildGroup, BuildOption, BuildPreset, BuildSetting,
-    BuildSettings, BuildUnit, CheckLimits, Dxf, Fold, Names, OffsetKind, Order, Page, Pieces,
+    BuildSettings, BuildUnit, CheckLimits, Dxf, Fold, Join, Names, OffsetKind, Order, Page, Pieces,
     PresetOf, PresetValues, Product,
 };
 pub(crate) use build::{Tiling, ordered};

@@ -394,8 +394,8 @@ fn settings_of_the_workshop_are_used_and_listed_in_the_summary() {
     assert!(folder.read("parts/sheet-01.dxf").contains("AC1009"));
     let twice = ["build", "roof.obj", "--one_file_each", "--one-file-each", "off"];
     folder.run(&twice).misused("--one-file-each is given twice");
-    let words = folder.run(&["build", "roof.obj", "--product=paper", "--kerf=0.2"]).done();
-    assert!(words.contains("note: of no effect on paper: --kerf\n"), "{words}");
+    let words = folder.run(&["build", "roof.obj", "--product=paper", "--tool=2"]).done();
+    assert!(words.contains("note: of no effect on paper: --tool\n"), "{words}");
     // Those of a preset are no options that were given.
     let paper = ["build", "roof.obj", "--units", "m", "--product", "paper", "--machine", "laser"];
     let words = folder.run(&paper).done();

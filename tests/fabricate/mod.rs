@@ -18,6 +18,7 @@ mod nesting;
 mod no_area;
 mod paper;
 mod paper_card;
+mod paper_cut;
 mod paper_names;
 mod paper_seams;
 mod picture;

@@ -9,7 +9,7 @@ use shape_up::fabricate::paper::{JointKind, PaperModel};
 use shape_up::fabricate::{Build, Stand};
 use shape_up::math::plane::{Point2, area, bounds};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BuildSettings, Fold, Pieces, Product};
+use shape_up::scene::{BuildSettings, Fold, Join, Pieces, Product};
 
 pub(super) fn settings(pieces: Pieces) -> BuildSettings {
     BuildSettings { product: Product::Paper, pieces, scale: 20.0, ..BuildSettings::default() }
@@ -88,11 +88,13 @@ fn common_area(polygon: &[Point2], convex: &[Point2]) -> f64 {
     area(&left)
 }
 
-/// The facets and tabs of a piece.
+/// The facets, tabs, flanges and tongues of a piece.
 fn polygons(model: &PaperModel, piece: u32) -> Vec<Vec<Point2>> {
     let facets = model.net.pieces[piece as usize].iter();
     let mut all: Vec<Vec<Point2>> = facets.map(|&f| model.net.corners(f)).collect();
     all.extend(model.tabs(piece).map(|tab| tab.corners.to_vec()));
+    all.extend(model.slots(piece).map(|tongue| tongue.flange.corners.to_vec()));
+    all.extend(model.tongues(piece).map(|tongue| tongue.corners(&model.net).to_vec()));
     all
 }
 
@@ -122,10 +124,12 @@ pub(super) fn assert_whole(name: &str, made: &Build) {
 
 #[test]
 fn no_piece_overlaps_itself_and_its_outline_holds_its_facets_and_tabs() {
-    let folds = [Fold::Crease, Fold::Score];
-    for ((name, mesh, pieces), fold) in cases().iter().flat_map(|own| folds.map(|fold| (own, fold)))
+    let ways = [(Fold::Crease, Join::Tabs), (Fold::Score, Join::Tabs), (Fold::Crease, Join::Slots)];
+    for ((name, mesh, pieces), (fold, join)) in
+        cases().iter().flat_map(|own| ways.map(|way| (own, way)))
     {
-        let own = BuildSettings { scale: scale(mesh), fold, thickness: 1.0, ..settings(*pieces) };
+        let (scale, thickness) = (scale(mesh), 1.0);
+        let own = BuildSettings { scale, fold, join, thickness, ..settings(*pieces) };
         assert_whole(name, &build(mesh, &own));
     }
 }
@@ -134,7 +138,7 @@ fn no_piece_overlaps_itself_and_its_outline_holds_its_facets_and_tabs() {
 fn paper_is_cut_with_a_knife_whatever_tool_was_set_before() {
     // The settings of a mill are kept while paper is made: it got reliefs in its inner corners.
     let own = BuildSettings { product: Product::Paper, ..BuildSettings::default() };
-    let milled = BuildSettings { tool: 3.0, kerf: 3.0, ..own.clone() };
+    let milled = BuildSettings { tool: 3.0, ..own.clone() };
     let outlines = |settings: &BuildSettings| -> Vec<Vec<Point2>> {
         build(&waves(), settings).parts.into_iter().map(|part| part.outline).collect()
     };
@@ -142,7 +146,7 @@ fn paper_is_cut_with_a_knife_whatever_tool_was_set_before() {
 }
 
 /// Whether two non-adjacent sides cross.
-fn crosses_itself(polygon: &[Point2]) -> bool {
+pub(super) fn crosses_itself(polygon: &[Point2]) -> bool {
     let n = polygon.len();
     let side = |p: Point2, q: Point2, r: Point2| {
         (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
@@ -468,10 +472,15 @@ fn no_piece_hangs_together_by_an_edge_too_short_to_hold_it() {
     assert_eq!(build(&whole, &settings(Pieces::Nets)).parts.len(), 1);
 }
 
+/// Two squares with a small fold between them.
+pub(super) fn two_squares(side: f64) -> Mesh {
+    grid(2, 1, |i, j| [side * f64::from(i), side * f64::from(j), 0.1 * f64::from(i * i)])
+}
+
 #[test]
 fn a_panel_that_fits_without_its_tabs_is_laid_without_the_tab_that_would_not_fit() {
     // Two squares of 188 mm on sheets with room for 190.
-    let mesh = grid(2, 1, |i, j| [9.4 * f64::from(i), 9.4 * f64::from(j), 0.1 * f64::from(i * i)]);
+    let mesh = two_squares(9.4);
     let own = BuildSettings { scale: 50.0, sheet: [200.0; 2], ..settings(Pieces::Nets) };
     let report = build(&mesh, &own).report();
     assert_eq!((report.placed, report.too_large), (2, Vec::new()));

@@ -16,6 +16,7 @@ type Point = Vec3<f64>;
 
 const CARD: [Fold; 3] = [Fold::Score, Fold::VCut, Fold::Separate];
 const THICKNESS: f64 = 1.0;
+const THICKNESSES: [f64; 4] = [0.5, 1.0, 1.5, 2.0];
 
 /// A frustum of a pyramid: three panels at every corner, folds of more and of less than a right angle.
 fn frustum() -> Mesh {
@@ -72,15 +73,15 @@ fn on_mesh(made: &Build, net: &PaperNet, (f, k): (u32, u32)) -> [Point; 4] {
 }
 
 /// How far before its edge a side ends at the inner faces.
-fn expected_back(net: &PaperNet, (f, k): (u32, u32)) -> f64 {
+fn expected_back(net: &PaperNet, (f, k): (u32, u32), thickness: f64) -> f64 {
     let joint = net.facets[f as usize].joints[k as usize];
     let fold = joint.map_or(0.0, |joint| net.joints[joint as usize].fold);
-    THICKNESS * libm::tan(0.5 * fold.max(0.0))
+    thickness * libm::tan(0.5 * fold.max(0.0))
 }
 
 /// The frames of all facets: the first one of each piece is put on the mesh, and the others are folded.
 fn folded(made: &Build, fold: Fold) -> Vec<Frame> {
-    let net = &model(made).net;
+    let (net, thickness) = (&model(made).net, made.settings.thickness);
     let mut frames: Vec<Option<Frame>> = vec![None; net.facets.len()];
     for piece in &model(made).pieces {
         let first = net.pieces[*piece as usize][0];
@@ -89,7 +90,7 @@ fn folded(made: &Build, fold: Fold) -> Vec<Frame> {
         let step = [q[0] - p[0], q[1] - p[1]];
         let [c, s] = step.map(|x| x / (step[0] * step[0] + step[1] * step[1]).sqrt());
         let (x, y) = (along * c - inwards * s, along * s + inwards * c);
-        let back = if fold == Fold::VCut { 0.0 } else { expected_back(net, (first, 0)) };
+        let back = if fold == Fold::VCut { 0.0 } else { expected_back(net, (first, 0), thickness) };
         let origin = at + inwards * back - x * p[0] - y * p[1];
         frames[first as usize] = Some(Frame { origin, axes: [x, y, normal] });
         let mut queue = vec![first];
@@ -102,7 +103,7 @@ fn folded(made: &Build, fold: Fold) -> Vec<Frame> {
                 }
                 let angle = net.joints[joint as usize].fold;
                 let is_inner = fold == Fold::Score && angle > 0.0;
-                let height = if is_inner { -THICKNESS } else { 0.0 };
+                let height = if is_inner { -thickness } else { 0.0 };
                 let [a, b] = net.hinge((f, k)).map(|end| frame.at(end, height));
                 frames[g as usize] = Some(frame.turned(a, unit(b - a), angle));
                 queue.push(g);
@@ -116,15 +117,16 @@ fn folded(made: &Build, fold: Fold) -> Vec<Frame> {
 struct Plate([Vec<Point>; 2]);
 
 impl Plate {
-    fn new(net: &PaperNet, f: u32, frame: &Frame, fold: Fold) -> Plate {
+    fn new(net: &PaperNet, f: u32, frame: &Frame, (fold, thickness): (Fold, f64)) -> Plate {
         let outer = net.corners(f);
-        let backs: Vec<f64> = (0..outer.len() as u32).map(|k| expected_back(net, (f, k))).collect();
+        let sides = 0..outer.len() as u32;
+        let backs: Vec<f64> = sides.map(|k| expected_back(net, (f, k), thickness)).collect();
         let inner = match fold {
             Fold::VCut => inset_sides(&outer, &backs).unwrap(),
             _ => outer.clone(),
         };
         let put = |own: &[Point2], height| own.iter().map(|&p| frame.at(p, height)).collect();
-        Plate([put(&outer, 0.0), put(&inner, -THICKNESS)])
+        Plate([put(&outer, 0.0), put(&inner, -thickness)])
     }
 
     /// The directions of its edges, and the normals of its faces.
@@ -165,15 +167,15 @@ impl Plate {
 fn plates_that_are_folded_at_their_hinges_have_their_outer_faces_on_the_mesh_and_keep_apart() {
     // Where planes that are moved inwards meet in one point at each vertex, and where they do not.
     for (mesh, is_conical) in [(frustum(), true), (revolution(9, 7), true), (waves(), false)] {
-        for fold in CARD {
-            let made = made(&mesh, fold, THICKNESS);
+        for (fold, thickness) in CARD.iter().flat_map(|&fold| THICKNESSES.map(|own| (fold, own))) {
+            let made = made(&mesh, fold, thickness);
             let net = &model(&made).net;
             let frames = folded(&made, fold);
             let mut cut_back = 0;
             for (f, frame) in (0..).zip(&frames) {
                 for k in 0..net.facets[f as usize].corners.len() as u32 {
                     let [at, _, inwards, normal] = on_mesh(&made, net, (f, k));
-                    let back = expected_back(net, (f, k));
+                    let back = expected_back(net, (f, k), thickness);
                     let expected = if fold == Fold::VCut { 0.0 } else { back };
                     cut_back += usize::from(back > 0.01);
                     for end in net.ends((f, k)) {
@@ -185,8 +187,10 @@ fn plates_that_are_folded_at_their_hinges_have_their_outer_faces_on_the_mesh_and
                 }
             }
             assert!(cut_back > 0);
-            let plates: Vec<Plate> =
-                (0..).zip(&frames).map(|(f, frame)| Plate::new(net, f, frame, fold)).collect();
+            let plates: Vec<Plate> = (0..)
+                .zip(&frames)
+                .map(|(f, frame)| Plate::new(net, f, frame, (fold, thickness)))
+                .collect();
             let mut worst = [0.0_f64; 2];
             for (i, one) in plates.iter().enumerate() {
                 for (j, other) in plates[..i].iter().enumerate() {
@@ -198,9 +202,10 @@ fn plates_that_are_folded_at_their_hinges_have_their_outer_faces_on_the_mesh_and
                     worst[kind] = worst[kind].max(one.overlap(other));
                 }
             }
-            println!("{fold:?}: overlap {worst:?} mm");
-            assert!(worst[0] < 1e-6, "{fold:?}: {worst:?}");
-            assert!(worst[1] < if is_conical { 1e-6 } else { THICKNESS }, "{fold:?}: {worst:?}");
+            println!("{fold:?} {thickness}: overlap {worst:?} mm");
+            assert!(worst[0] < 1e-6, "{fold:?} {thickness}: {worst:?}");
+            let most = if is_conical { 1e-6 } else { thickness };
+            assert!(worst[1] < most, "{fold:?} {thickness}: {worst:?}");
         }
     }
 }
@@ -249,7 +254,10 @@ fn card_that_ends_farther_than_its_fold_asks_is_written_and_told() {
             let cells: Vec<f64> =
                 row.rsplitn(4, ',').take(3).map(|cell| cell.parse().unwrap()).collect();
             let [b, a, asked] = cells[..] else { panic!("{row}") };
-            assert!((asked - expected_back(net, joint.sides[0])).abs() < 1e-3, "{fold:?}: {row}");
+            assert!(
+                (asked - expected_back(net, joint.sides[0], THICKNESS)).abs() < 1e-3,
+                "{fold:?}: {row}"
+            );
             let is_further = fold != Fold::VCut && joint.sides[1].0 == 1;
             assert_eq!([a > asked + 0.1, b > asked + 0.1], [is_further, false], "{fold:?}: {row}");
             // The first panel is a square, of which one side is cut back.

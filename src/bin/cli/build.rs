@@ -153,6 +153,9 @@ fn advice_line(Advice { words, choices }: &Advice) -> String {
         Some(format!("{} {value}", declared(choice.setting)?.option()?))
     };
     let options: Vec<String> = choices.iter().filter_map(option).collect();
+    if options.is_empty() {
+        return words.clone();
+    }
     format!("{words} Try {}.", options.join(" or "))
 }
 

@@ -1,10 +1,13 @@
-//! A piece as a part to be cut: its outline with tabs, folds, and names on panels and on tabs.
+//! A piece as a part to be cut: its outline with tabs and tongues, folds, slots, and names on panels, tabs
+//! and tongues.
 
 use super::facet::{FacetSide, FoldKind};
+use super::kerf::cut_line;
+use super::tab::Tab;
 use super::tab_name::place_on_tab;
 use super::{JointKind, PaperModel};
 use crate::fabricate::panel::{direction_of, smallest_box};
-use crate::fabricate::sheet::{CutPart, Inscription, label, strokes, upright};
+use crate::fabricate::sheet::{CutPart, Hole, Inscription, label, strokes, upright};
 use crate::math::plane::{Point2, distance, rotated};
 use crate::math::sort_by_number;
 
@@ -41,9 +44,7 @@ fn outline(model: &PaperModel, piece: u32, inside: bool) -> (Vec<Point2>, Put) {
     for side in net.outline(piece) {
         let [p, _] = net.ends(side);
         points.push(unrotated.put(p));
-        if let Some(tab) = model.tab(side) {
-            points.extend(tab.corners[1..3].iter().map(|&corner| unrotated.put(corner)));
-        }
+        points.extend(model.added(side).into_iter().map(|corner| unrotated.put(corner)));
         if net.is_cut_back {
             points.extend(net.corners_after(side).into_iter().map(|corner| unrotated.put(corner)));
         }
@@ -60,13 +61,23 @@ fn outline(model: &PaperModel, piece: u32, inside: bool) -> (Vec<Point2>, Put) {
     (points.into_iter().map(|point| rotated(point, turn)).collect(), Put { inside, turn })
 }
 
-/// The part of a piece: outline and folds.
-pub fn drawn(model: &PaperModel, number: usize, inside: bool) -> CutPart {
+/// The part of a piece: its outline and its slots, as they are cut with this kerf, and its folds.
+pub fn drawn(model: &PaperModel, number: usize, inside: bool, kerf: f64) -> CutPart {
     let (net, piece) = (&model.net, model.pieces[number]);
     let (outline, place) = outline(model, piece, inside);
+    let outline = cut_line(&outline, kerf);
     let mut part = CutPart { name: format!("S{}", number + 1), outline, ..CutPart::default() };
-    for (side, kind) in model.scores(piece) {
-        let [p, q] = net.fold_line(side).map(|point| place.put(point));
+    for tongue in model.slots(piece) {
+        let mut slot: Vec<Point2> =
+            tongue.slot_corners(net, kerf).into_iter().map(|point| place.put(point)).collect();
+        if inside {
+            // Counterclockwise again.
+            slot.reverse();
+        }
+        part.holes.push(Hole::slot(slot));
+    }
+    for (line, kind) in model.scores(piece) {
+        let [p, q] = line.map(|point| place.put(point));
         // A tab is folded back where its panels are coplanar too.
         match (kind != FoldKind::Valley) != inside {
             true => part.ridges.push(vec![p, q]),
@@ -141,8 +152,10 @@ pub fn write_names(
             small |= labels.small;
         }
     }
-    for tab in model.tabs(piece) {
-        if let Some((name, height, middle)) = tab_name(model, names, tab.side) {
+    let tabs = model.tabs(piece).map(|tab| tab.side);
+    let slots = model.slots(piece).map(|tongue| tongue.flange.side);
+    for side in tabs.chain(slots).chain(model.tongues(piece).map(|tongue| tongue.side)) {
+        if let Some((name, tab, height, middle)) = tab_name(model, names, side) {
             let [p, _, _, q] = tab.corners.map(put);
             let along = upright(direction_of(p, q), turn);
             part.engraved.extend(strokes(&name, height, put(middle), along));
@@ -180,8 +193,8 @@ fn name_places(model: &PaperModel, piece: u32, panel: u32) -> Vec<Vec<FacetSide>
     }
 }
 
-/// The start of a side on the sheet, and the name of the neighbour beyond it if the side is cut and
-/// the name is not on a tab of the side.
+/// The start of a side on the sheet, and what is to be written beside it if the side is cut: the name of
+/// the neighbour beyond it, unless it is on a tab of the side, and that of a tongue which has no room for it.
 fn named_side(
     model: &PaperModel,
     names: &[String],
@@ -195,27 +208,33 @@ fn named_side(
         return (start, Some(others.join("/")));
     }
     let name = net.across(side).and_then(|(joint, (g, _))| {
-        let is_on_tab = match model.joint_kinds[joint as usize] {
-            JointKind::Folded => true,
-            JointKind::Tab(tab) => tab.side == side && tab_name(model, names, side).is_some(),
-            JointKind::Bare => false,
-        };
-        (!is_on_tab).then(|| names[net.facets[g as usize].panel as usize].clone())
+        let neighbour = &names[net.facets[g as usize].panel as usize];
+        let is_written = || tab_name(model, names, side).is_some();
+        match &model.joint_kinds[joint as usize] {
+            JointKind::Folded => None,
+            JointKind::Tab(tab) if tab.side == side && is_written() => None,
+            JointKind::Tongue(own) if !is_written() => Some(format!("{neighbour} {}", own.name())),
+            _ => Some(neighbour.clone()),
+        }
     });
     (start, name)
 }
 
-/// The name on the tab of a side, its height and its centre; none if it has no room.
+/// The name on the tab of a side, on its flange or on its tongue, the tab or the part of it on which it is
+/// written, its height and its centre; none if it has no room.
 fn tab_name(
     model: &PaperModel,
     names: &[String],
     side: FacetSide,
-) -> Option<(String, f64, Point2)> {
+) -> Option<(String, Tab, f64, Point2)> {
     let (joint, (g, _)) = model.net.across(side)?;
-    let JointKind::Tab(tab) = &model.joint_kinds[joint as usize] else { return None };
-    let name = names[model.net.facets[g as usize].panel as usize].clone();
-    let (height, middle) = place_on_tab(tab, &name)?;
-    Some((name, height, middle))
+    let (name, tab) = match &model.joint_kinds[joint as usize] {
+        JointKind::Tab(tab) => (names[model.net.facets[g as usize].panel as usize].clone(), *tab),
+        JointKind::Tongue(own) => (own.name(), own.name_place(&model.net, side)),
+        JointKind::Folded | JointKind::Bare => return None,
+    };
+    let (height, middle) = place_on_tab(&tab, &name)?;
+    Some((name, tab, height, middle))
 }
 
 /// A dashed line that begins and ends with a dash, as separate lines, which every program

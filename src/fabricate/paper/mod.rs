@@ -1,23 +1,28 @@
 //! Paper models: panels laid flat side by side as strips and nets, folded along their edges, and
-//! glued with tabs that are hidden behind the neighbour. They are cut along the seams that the user
-//! chooses, and elsewhere as little as possible. Card has a thickness instead, and no tabs.
+//! joined with tabs for glue, or tongues in slots, that are hidden behind the neighbour. They are cut along
+//! the seams that the user chooses, and elsewhere as little as possible. Card has a thickness instead, and
+//! neither tabs nor tongues.
 
 mod drawn;
 mod facet;
 mod grow;
+mod kerf;
 mod net;
 mod plane;
 mod strip;
 mod tab;
 mod tab_name;
 mod thickness;
+mod tongue;
 
 pub use drawn::{MissingNames, drawn, write_names};
 pub use facet::{Facet, FacetSide, FoldKind, Joint};
+pub(in crate::fabricate) use kerf::reach;
 pub use net::PaperNet;
 pub use plane::Motion;
 pub use tab::{LEAST_TAB, Tab};
 pub use thickness::{Card, Uneven};
+pub use tongue::{Fit, Tongue};
 
 use crate::fabricate::boxes::Boxes;
 use crate::fabricate::panel::{FlatPanel, smallest_box_within};
@@ -29,6 +34,7 @@ use facet::facets;
 use std::collections::{BTreeMap, BTreeSet};
 use strip::{Foldable, foldable};
 use tab::{around, tab};
+use tongue::tongue;
 
 /// Sizes in mm.
 #[derive(Clone, Copy, Debug)]
@@ -37,8 +43,10 @@ pub struct PaperSize {
     pub model: f64,
     /// Largest size of a piece with its tabs.
     pub room: [f64; 2],
-    /// The height of tabs; 0 for none.
+    /// The height of tabs, and of tongues and their flanges; 0 for none.
     pub tab: f64,
+    /// What tongues and slots are made for; none for tabs with glue alone.
+    pub slots: Option<Fit>,
     /// The material.
     pub card: Card,
 }
@@ -58,6 +66,8 @@ pub enum JointKind {
     Folded,
     /// Cut, with a tab on one of its sides.
     Tab(Tab),
+    /// Cut, with a tongue on one of its sides and its slot on the other.
+    Tongue(Tongue),
     /// Cut, without room for a tab on either side.
     Bare,
 }
@@ -69,7 +79,7 @@ pub struct PaperModel {
     pub net: PaperNet,
     /// How each joint is made.
     pub joint_kinds: Vec<JointKind>,
-    /// The joints whose tab is on each piece of the net.
+    /// The joints whose tab, tongue or slot is on each piece of the net.
     tab_joints: Vec<Vec<u32>>,
     /// The pieces of the net that have facets, sorted by their first facet.
     pub pieces: Vec<u32>,
@@ -111,8 +121,8 @@ impl PaperModel {
         let joint_kinds = joint_kinds(&net, &pieces, size);
         let mut tab_joints = vec![Vec::new(); net.pieces.len()];
         for (kind, joint) in joint_kinds.iter().zip(0..) {
-            if let JointKind::Tab(tab) = kind {
-                tab_joints[net.piece_of[tab.side.0 as usize] as usize].push(joint);
+            for piece in distinct(kind.sides().map(|(f, _)| net.piece_of[f as usize])) {
+                tab_joints[piece as usize].push(joint);
             }
         }
         PaperModel {
@@ -147,40 +157,97 @@ impl PaperModel {
         facets.iter().all(|facet| lies_on(&facet.corners, size.room))
     }
 
-    /// The tab on a side.
-    pub fn tab(&self, side: FacetSide) -> Option<&Tab> {
-        let (joint, _) = self.net.across(side)?;
+    /// The corners of the outline of a piece between the start and the end of a side: of a tab, of the
+    /// flange with a slot, or of a tongue.
+    fn added(&self, side: FacetSide) -> Vec<Point2> {
+        let Some((joint, _)) = self.net.across(side) else { return Vec::new() };
         match &self.joint_kinds[joint as usize] {
-            JointKind::Tab(tab) if tab.side == side => Some(tab),
-            _ => None,
+            JointKind::Tab(tab) if tab.side == side => tab.corners[1..3].to_vec(),
+            JointKind::Tongue(own) if own.flange.side == side => own.flange.corners[1..3].to_vec(),
+            JointKind::Tongue(own) => own.corners(&self.net).to_vec(),
+            _ => Vec::new(),
         }
     }
 
-    /// The sides of facets along which a piece is scored, each fold once, and how it is folded.
-    pub fn scores(&self, piece: u32) -> impl Iterator<Item = (FacetSide, FoldKind)> {
+    /// Whether it has tongues and slots.
+    pub fn has_tongues(&self) -> bool {
+        self.joint_kinds.iter().any(|kind| matches!(kind, JointKind::Tongue(_)))
+    }
+
+    /// The lines along which a piece is scored, each fold once, and how it is folded.
+    pub fn scores(&self, piece: u32) -> impl Iterator<Item = ([Point2; 2], FoldKind)> {
         let facets = self.net.pieces[piece as usize].iter();
         let sides = facets.flat_map(|&f| {
             (0..self.net.facets[f as usize].corners.len() as u32).map(move |k| (f, k))
         });
-        sides.filter_map(|side| {
-            let (joint, _) = self.net.across(side)?;
+        sides.flat_map(|side| {
+            let Some((joint, _)) = self.net.across(side) else { return Vec::new() };
             let own = &self.net.joints[joint as usize];
-            let is_scored = match self.joint_kinds[joint as usize] {
-                JointKind::Folded => own.sides[0] == side && own.kind() != FoldKind::Flat,
-                JointKind::Tab(tab) => tab.side == side,
-                JointKind::Bare => false,
+            let lines = match &self.joint_kinds[joint as usize] {
+                JointKind::Folded if own.sides[0] == side && own.kind() != FoldKind::Flat => {
+                    vec![self.net.fold_line(side)]
+                }
+                JointKind::Tab(tab) if tab.side == side => vec![self.net.fold_line(side)],
+                JointKind::Tongue(tongue) => tongue.scores(&self.net, side),
+                _ => Vec::new(),
             };
-            is_scored.then(|| (side, own.kind()))
+            lines.into_iter().map(|line| (line, own.kind())).collect()
         })
     }
 
     /// The tabs of a piece.
     pub fn tabs(&self, piece: u32) -> impl Iterator<Item = &Tab> {
-        let joints = self.tab_joints[piece as usize].iter();
-        joints.filter_map(|&joint| match &self.joint_kinds[joint as usize] {
+        self.kinds_on(piece).filter_map(|kind| match kind {
             JointKind::Tab(tab) => Some(tab),
             _ => None,
         })
+    }
+
+    /// The tongues whose slot is on a piece.
+    pub fn slots(&self, piece: u32) -> impl Iterator<Item = &Tongue> {
+        self.tongues_by(piece, |tongue| tongue.flange.side)
+    }
+
+    /// The tongues that are on a piece.
+    pub fn tongues(&self, piece: u32) -> impl Iterator<Item = &Tongue> {
+        self.tongues_by(piece, |tongue| tongue.side)
+    }
+
+    fn tongues_by(
+        &self,
+        piece: u32,
+        side: fn(&Tongue) -> FacetSide,
+    ) -> impl Iterator<Item = &Tongue> {
+        self.kinds_on(piece).filter_map(move |kind| match kind {
+            JointKind::Tongue(own) if self.net.piece_of[side(own).0 as usize] == piece => Some(own),
+            _ => None,
+        })
+    }
+
+    /// The joints with a tab, a tongue or a slot on a piece.
+    fn kinds_on(&self, piece: u32) -> impl Iterator<Item = &JointKind> {
+        self.tab_joints[piece as usize].iter().map(|&joint| &self.joint_kinds[joint as usize])
+    }
+}
+
+impl JointKind {
+    /// The sides with a tab, a flange or a tongue.
+    fn sides(&self) -> impl Iterator<Item = FacetSide> {
+        let sides = match self {
+            JointKind::Tab(tab) => [Some(tab.side), None],
+            JointKind::Tongue(tongue) => [Some(tongue.flange.side), Some(tongue.side)],
+            JointKind::Folded | JointKind::Bare => [None, None],
+        };
+        sides.into_iter().flatten()
+    }
+
+    /// The trapezia that it takes on a piece.
+    fn taken(&self, net: &PaperNet, piece: u32) -> Vec<[Point2; 4]> {
+        match self {
+            JointKind::Tab(tab) if net.piece_of[tab.side.0 as usize] == piece => vec![tab.corners],
+            JointKind::Tongue(tongue) => tongue.taken(net, piece).collect(),
+            _ => Vec::new(),
+        }
     }
 }
 
@@ -240,13 +307,13 @@ fn folded(unfolded: &PaperNet, order: &Foldable, size: PaperSize) -> PaperNet {
     if count(&even) <= count(&longest) { even } else { longest }
 }
 
-/// Chooses tabs: on the piece that comes first, or else on the other side. A piece that fits on the
-/// sheet has none that keeps it from fitting.
+/// Chooses tabs: on the piece that comes first, or else on the other side; or, if they are wanted and
+/// have room, tongues and slots. A piece that fits on the sheet has none that keeps it from fitting.
 fn joint_kinds(net: &PaperNet, pieces: &[u32], size: PaperSize) -> Vec<JointKind> {
     let mut place = vec![0; net.pieces.len()];
     pieces.iter().enumerate().for_each(|(k, &piece)| place[piece as usize] = k);
-    // The boxes of the tabs on each piece, by joint.
-    let mut tabs = vec![Boxes::default(); pieces.len()];
+    // The boxes of what is added to each piece, by joint.
+    let mut added = vec![Boxes::default(); pieces.len()];
     // The corners of pieces that fit, but need not with tabs.
     let with_tabs = size.room.map(|side| side - 2.0 * size.tab);
     let tight = |&piece: &u32| {
@@ -255,37 +322,53 @@ fn joint_kinds(net: &PaperNet, pieces: &[u32], size: PaperSize) -> Vec<JointKind
     };
     let mut tight: Vec<Option<Vec<Point2>>> = pieces.iter().map(tight).collect();
     let mut found: Vec<JointKind> = Vec::new();
+    let mut tongues = 0;
     for ((joint, &folded), number) in net.joints.iter().zip(&net.folded).zip(0..) {
-        if folded {
-            found.push(JointKind::Folded);
+        if folded || size.tab <= 0.0 {
+            found.push(if folded { JointKind::Folded } else { JointKind::Bare });
             continue;
         }
-        let mut sides =
-            joint.sides.map(|side| (place[net.piece_of[side.0 as usize] as usize], side));
+        let mut sides = joint.sides;
         // The piece that comes first is tried first.
-        if sides[1] < sides[0] {
-            sides.swap(0, 1);
-        }
-        let own = sides.into_iter().filter(|_| size.tab > 0.0).find_map(|(piece, side)| {
-            let near = tabs[piece].meeting(around(net, side, size.tab));
-            let taken: Vec<_> = near
-                .filter_map(|joint| match found[joint as usize] {
-                    JointKind::Tab(tab) => Some(tab.corners),
-                    _ => None,
-                })
-                .collect();
-            let tab = tab(net, side, &taken, size.tab)?;
-            let whole = tight[piece].as_ref().map(|own| [&own[..], &tab.corners].concat());
-            whole.is_none_or(|whole| lies_on(&whole, size.room)).then_some((piece, tab))
-        });
-        found.push(match own {
-            Some((piece, tab)) => {
-                tabs[piece].insert(number, bounds(tab.corners));
-                tight[piece].iter_mut().for_each(|own| own.extend(tab.corners));
-                JointKind::Tab(tab)
+        sides.sort_by_key(|&side| (place[net.piece_of[side.0 as usize] as usize], side));
+        let taken = |side: FacetSide| -> Vec<[Point2; 4]> {
+            let piece = net.piece_of[side.0 as usize];
+            let near = added[place[piece as usize]].meeting(around(net, side, size.tab));
+            near.flat_map(|joint| found[joint as usize].taken(net, piece)).collect()
+        };
+        let has_room = |kind: &JointKind| {
+            kind.sides().all(|(f, _)| {
+                let piece = net.piece_of[f as usize];
+                let Some(corners) = &tight[place[piece as usize]] else { return true };
+                let own = kind.taken(net, piece);
+                lies_on(&[&corners[..], own.as_flattened()].concat(), size.room)
+            })
+        };
+        let of_tongue = |fit: Fit| {
+            let [a, b] = sides.map(&taken);
+            let ways = [(sides, [&a[..], &b[..]]), ([sides[1], sides[0]], [&b[..], &a[..]])];
+            ways.into_iter().find_map(|(sides, taken)| {
+                let own = tongue(net, sides, taken, size.tab, fit)?;
+                let kind = JointKind::Tongue(Tongue { number: tongues + 1, ..own });
+                has_room(&kind).then_some(kind)
+            })
+        };
+        let of_tab = || {
+            sides.into_iter().find_map(|side| {
+                let kind = JointKind::Tab(tab(net, side, &taken(side), size.tab)?);
+                has_room(&kind).then_some(kind)
+            })
+        };
+        let kind = size.slots.and_then(of_tongue).or_else(of_tab).unwrap_or(JointKind::Bare);
+        tongues += u32::from(matches!(kind, JointKind::Tongue(_)));
+        for piece in distinct(kind.sides().map(|(f, _)| net.piece_of[f as usize])) {
+            let k = place[piece as usize];
+            for corners in kind.taken(net, piece) {
+                added[k].insert(number, bounds(corners));
+                tight[k].iter_mut().for_each(|own| own.extend(corners));
             }
-            None => JointKind::Bare,
-        });
+        }
+        found.push(kind);
     }
     found
 }

@@ -113,7 +113,7 @@ impl Card {
     }
 
     /// How far before an edge with a fold in radians the inner faces of its facets end, in mm.
-    fn back(self, fold: f64) -> f64 {
+    pub(in crate::fabricate) fn back(self, fold: f64) -> f64 {
         /// The least cosine of half a fold.
         const CLOSED: f64 = 1e-6;
         if FoldKind::of(fold) != FoldKind::Ridge {

@@ -54,13 +54,14 @@ fn model(build: &Build, report: &BuildReport) -> Vec<Line> {
             // Where valleys are dashed, the gaps are folded too.
             let scores = build.paper.iter().flat_map(|model| {
                 let places = build.layout.sheets.iter().flat_map(|sheet| &sheet.places);
-                let sides = places.flat_map(|place| model.scores(model.pieces[place.part]));
-                sides.map(|(side, _)| model.net.fold_line(side))
+                places.flat_map(|place| model.scores(model.pieces[place.part]))
             });
-            let scores = scores.map(|[p, q]| distance(p, q)).fold(0.0, |a, b| a + b);
+            let scores = scores.map(|([p, q], _)| distance(p, q)).fold(0.0, |a, b| a + b);
             lines.push(("Length of scores", millimetres(scores)));
-            let tabs = report.paper.as_ref().map(|paper| paper.tabs).filter(|tabs| *tabs > 0);
-            lines.extend(tabs.map(|tabs| ("Tabs", tabs.to_string())));
+            let [tabs, tongues] =
+                report.paper.as_ref().map_or([0; 2], |paper| [paper.tabs, paper.tongues]);
+            let joins = [("Tabs", tabs), ("Tongues and slots", tongues)].into_iter();
+            lines.extend(joins.filter(|(_, n)| *n > 0).map(|(what, n)| (what, n.to_string())));
         }
     }
     lines

@@ -32,6 +32,7 @@ pub(super) const NAMES: [&str; 14] = [
     "discs.csv",
     "pieces.csv",
     "joins.csv",
+    "tongues.csv",
     "edges.csv",
     "nodes.csv",
     "summary.csv",
@@ -87,6 +88,9 @@ fn summary(build: &Build, names: &[&str]) -> String {
     }
     if report.halved > 0 {
         row("panels cut as two triangles", Cell::from(report.halved), "");
+    }
+    if let Some(paper) = report.paper.as_ref().filter(|paper| paper.tongues > 0) {
+        row("tongues and slots", Cell::from(paper.tongues), "");
     }
     row("parts without room for their name", Cell::from(report.unnamed.len()), "");
     row("sheets", Cell::from(report.sheets), "");

@@ -1,15 +1,19 @@
-//! Pieces of a paper model, and how each edge is joined.
+//! Pieces of a paper model, how each edge is joined, and tongues with their slots.
 
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::paper::{JointKind, PaperModel};
-use crate::fabricate::surface::beam_name;
+use crate::fabricate::surface::{beam_name, node_name};
 use crate::math::plane::distance;
 
 /// Both tables, with the names of their files.
 pub(super) fn all(build: &Build) -> Vec<(&'static str, String)> {
     let Some(model) = &build.paper else { return Vec::new() };
-    vec![("pieces.csv", pieces(build, model)), ("joins.csv", joins(build, model))]
+    let mut tables = vec![("pieces.csv", pieces(build, model)), ("joins.csv", joins(build, model))];
+    if model.has_tongues() {
+        tables.push(("tongues.csv", tongues(build, model)));
+    }
+    tables
 }
 
 fn pieces(build: &Build, model: &PaperModel) -> String {
@@ -70,8 +74,7 @@ fn joins(build: &Build, model: &PaperModel) -> String {
     ];
     let mut table = Table::new(&columns);
     let net = &model.net;
-    let mut number = vec![0; net.pieces.len()];
-    model.pieces.iter().zip(1..).for_each(|(&piece, k)| number[piece as usize] = k);
+    let number = numbers(model);
     for (joint, kind) in net.joints.iter().zip(&model.joint_kinds) {
         let name = joint
             .edge
@@ -83,6 +86,7 @@ fn joins(build: &Build, model: &PaperModel) -> String {
         let (join, tab) = match kind {
             JointKind::Folded => ("folded", None),
             JointKind::Tab(tab) => ("tab", Some(tab)),
+            JointKind::Tongue(_) => ("slot", None),
             JointKind::Bare => ("no tab", None),
         };
         let tab_on = tab.map(|tab| panels[usize::from(tab.side != joint.sides[0])]);
@@ -110,6 +114,59 @@ fn joins(build: &Build, model: &PaperModel) -> String {
             Cell::from(joint.back),
             Cell::from(back(0)),
             Cell::from(back(1)),
+        ]);
+    }
+    table.into_text()
+}
+
+/// The number of each piece of the net, from 1.
+fn numbers(model: &PaperModel) -> Vec<usize> {
+    let mut found = vec![0; model.net.pieces.len()];
+    model.pieces.iter().zip(1..).for_each(|(&piece, k)| found[piece as usize] = k);
+    found
+}
+
+/// Tongues and their slots, as they are after cutting.
+fn tongues(build: &Build, model: &PaperModel) -> String {
+    let columns = [
+        "name",
+        "node_a",
+        "node_b",
+        "from_sheet_mm",
+        "tongue_piece",
+        "tongue_panel",
+        "tongue_width_sheet_mm",
+        "tongue_length_sheet_mm",
+        "slot_piece",
+        "slot_panel",
+        "slot_length_sheet_mm",
+        "slot_width_sheet_mm",
+        "flange_sheet_mm",
+    ];
+    let mut table = Table::new(&columns);
+    let (net, number) = (&model.net, numbers(model));
+    for kind in &model.joint_kinds {
+        let JointKind::Tongue(own) = kind else { continue };
+        let piece = |f: u32| format!("S{}", number[net.piece_of[f as usize] as usize]);
+        let panel = |f: u32| &*build.names[net.facets[f as usize].panel as usize];
+        let (f, k) = own.side;
+        let vertices = &net.facets[f as usize].vertices;
+        let node = |k: u32| node_name(vertices[k as usize % vertices.len()]);
+        let there = own.flange.side.0;
+        table.row([
+            Cell::from(&*own.name()),
+            Cell::from(&*node(k)),
+            Cell::from(&*node(k + 1)),
+            Cell::from(own.root[0]),
+            Cell::from(&*piece(f)),
+            Cell::from(panel(f)),
+            Cell::from(own.root[1] - own.root[0]),
+            Cell::from(own.length),
+            Cell::from(&*piece(there)),
+            Cell::from(panel(there)),
+            Cell::from(own.slot[1] - own.slot[0]),
+            Cell::from(own.width),
+            Cell::from(own.flange.height),
         ]);
     }
     table.into_text()

@@ -1,7 +1,7 @@
 //! What the numbers of the tables and the letters on the sheets mean, for whoever has only the files.
 
 /// What is explained, and in which words.
-const READING: [(&str, &str); 34] = [
+const READING: [(&str, &str); 39] = [
     ("edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     ("edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -16,6 +16,7 @@ const READING: [(&str, &str); 34] = [
         "arrows",
         "upwards in the model, in the plane of the part; if it is within 5 degrees of level, to the top of key 1",
     ),
+    (
         "panels.csv nodes",
         "counterclockwise seen from outside; after a slash, clockwise around a hole",
     ),
@@ -68,7 +69,17 @@ const READING: [(&str, &str); 34] = [
         "joins.csv cut_back_a_sheet_mm",
         "from the edge to the inner face of panel_a as made; scored or separate, it ends there: farther than asked in line with a steeper fold; of panel_b: cut_back_b_sheet_mm",
     ),
+    ("outlines of pieces", "outwards by half the kerf; in narrower gaps along their middle"),
     ("tabs", "glued to the inside of the panel that is named on them"),
+    (
+        "tongues",
+        "folded as their edge is, as the flanges with the slots; pushed from outside into the slot of their name, behind the panel beside it",
+    ),
+    ("tongues.csv from_sheet_mm", "from node_a to the tongue, along the edge"),
+    (
+        "tongues.csv slot_width_sheet_mm",
+        "from the fold into the flange: the thickness and the clearance on either side, or what the kerf needs",
+    ),
 ];
 
 /// The table beside whose parts something is explained.
@@ -77,7 +88,8 @@ fn table_of(what: &str) -> &str {
         "outlines" | "arrows" => "panels.csv",
         "names of fins" => "fins.csv",
         "names at slots of discs" => "discs.csv",
-        "tabs" => "pieces.csv",
+        "tabs" | "outlines of pieces" => "pieces.csv",
+        "tongues" => "tongues.csv",
         column => column.split(' ').next().unwrap_or(column),
     }
 }

@@ -106,6 +106,18 @@ pub enum Fold {
     Separate,
 }
 
+/// How the cut edges of creased paper are joined.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(rename_all = "lowercase")]
+#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
+pub enum Join {
+    /// By tabs for glue.
+    #[default]
+    Tabs,
+    /// By tongues in slots, without glue; by tabs where these have no room.
+    Slots,
+}
+
 /// A version of DXF.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(rename_all = "lowercase")]

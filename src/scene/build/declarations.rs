@@ -73,6 +73,10 @@ const FOLDS: BuildForm = choice(&[
     option("v-cut", "V-cut", "Card, grooved on the inside: panels are whole outside"),
     option("separate", "Separate", "Card, cut apart and taped: panels are shorter at ridges"),
 ]);
+const JOINS: BuildForm = choice(&[
+    option("tabs", "Tabs for glue", ""),
+    option("slots", "Tongues in slots", "Without glue: tongues are pushed behind the neighbour"),
+]);
 const KINDS: BuildForm = choice(&[
     option("corner", "Corners", "Nodes keep their distance: exact on circular panels"),
     option("face", "Panels", "Planes of panels keep their distance: one thickness"),
@@ -111,7 +115,9 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "How folds are made; all but creases allow for the thickness, no tabs.",
     )
     .of(&[Paper]),
-    setting(Parts, "tab", "Tabs", number(Mm, ON_SHEET), "Height of the tabs for glue; 0 for none.")
+    setting(Parts, "join", "Cut edges", JOINS, "How the cut edges of creased paper are joined.")
+        .of(&[Paper]),
+    setting(Parts, "tab", "Tabs", number(Mm, ON_SHEET), "Height of tabs and tongues; 0 for none.")
         .of(&[Paper]),
     setting(
         Parts,
@@ -213,9 +219,9 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "clearance",
         "Clearance",
         number(Mm, ON_SHEET),
-        "Play between a node disc and a fin, on each side.",
+        "Play between a node disc and a fin, or a tongue and its slot, on each side.",
     )
-    .of(&[Fins]),
+    .of(&[Fins, Paper]),
     setting(Offset, "kind", "Measured at", KINDS, "What keeps its distance in the offset.")
         .or("the kind that is within the limits, or has the smallest errors"),
     setting(
@@ -239,8 +245,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "Kerf",
         number(Mm, ON_SHEET),
         "Width of the cut: outlines are moved outwards by half of it.",
-    )
-    .of(FLAT),
+    ),
     setting(
         Cutting,
         "tool",

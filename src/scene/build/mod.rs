@@ -18,7 +18,7 @@ mod page;
 mod presets;
 mod settings;
 
-pub use choice::{Dxf, Fold, Names, OffsetKind, Order, Pieces, Product};
+pub use choice::{Dxf, Fold, Join, Names, OffsetKind, Order, Pieces, Product};
 pub use declarations::BUILD_SETTINGS;
 pub use declared::{BuildForm, BuildGroup, BuildOption, BuildSetting, BuildUnit};
 pub(crate) use edges::ordered;

@@ -1,6 +1,6 @@
 //! The settings of a build: scale, sheet, joint, distance.
 
-use super::choice::{Dxf, Fold, Names, OffsetKind, Order, Pieces, Product};
+use super::choice::{Dxf, Fold, Join, Names, OffsetKind, Order, Pieces, Product};
 use super::page::Page;
 use crate::json::{fixed, object, pairs, word, word_or_null};
 use serde::{Deserialize, Serialize};
@@ -57,7 +57,7 @@ pub struct BuildSettings {
     /// Diameter of the node discs that fins are joined by; 0 for none, null for the smallest that has
     /// room at each node.
     pub disc: Option<f64>,
-    /// Play between a node disc and a fin, on each side.
+    /// Play between a node disc and a fin, or a tongue and its slot, on each side.
     pub clearance: f64,
     /// The order in which parts are laid out.
     #[serde(deserialize_with = "word")]
@@ -87,7 +87,10 @@ pub struct BuildSettings {
     /// How the folds of a paper model are made.
     #[serde(deserialize_with = "word")]
     pub fold: Fold,
-    /// Height of tabs on creased paper; 0 for none.
+    /// How the cut edges of creased paper are joined.
+    #[serde(deserialize_with = "word")]
+    pub join: Join,
+    /// Height of tabs, tongues and flanges on creased paper; 0 for none.
     pub tab: f64,
     /// Whether panels or paper are printed on the side that will be inside: mirrored, with readable names.
     pub print_inside: bool,
@@ -160,6 +163,7 @@ impl Default for BuildSettings {
             pieces: Pieces::Nets,
             seams: Rc::default(),
             fold: Fold::Crease,
+            join: Join::Tabs,
             tab: 8.0,
             print_inside: false,
             page: Page::Sheet,

@@ -39,6 +39,8 @@ pub(super) struct Part {
     pub(super) valleys: Vec<[Point2; 2]>,
     /// Its arrow, from its end to its tip.
     pub(super) arrow: Option<[Point2; 2]>,
+    /// What is cut out inside.
+    pub(super) holes: Vec<Vec<Point2>>,
 }
 
 /// Lines, and the name of their part.
@@ -132,6 +134,7 @@ impl Files {
                 .map(|own| own.into_iter().map(|line| [line[0], line[1]]).collect());
             let (folds, valleys): (Vec<[Point2; 2]>, Vec<[Point2; 2]>) = (folds, valleys);
             let arrows = arrows(&sheet.lines("ENGRAVE"));
+            let holes = sheet.lines("HOLE");
             let mut is_on_part = vec![false; texts.len()];
             for (name, outlines) in sheet.layer("CUT") {
                 let [outline] = &outlines[..] else { panic!("{name} is one outline") };
@@ -147,6 +150,8 @@ impl Files {
                     folds: inside(&folds),
                     valleys: inside(&valleys),
                     arrow: arrows.iter().find(|[_, tip]| is_inside(outline, *tip)).copied(),
+                    holes: (holes.iter().filter(|hole| is_inside(outline, hole[0])).cloned())
+                        .collect(),
                     outline: outline.clone(),
                     name: name.clone(),
                 });

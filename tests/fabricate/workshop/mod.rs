@@ -19,7 +19,7 @@ use files::Files;
 use shape_up::fabricate::Build;
 use shape_up::math::{cosine, sine};
 use shape_up::mesh::Mesh;
-use shape_up::scene::{BuildSettings, Fold, Names, OffsetKind, Pieces, Product};
+use shape_up::scene::{BuildSettings, Fold, Join, Names, OffsetKind, Pieces, Product};
 
 /// Quads of a closed surface of revolution about z, without symmetry after an inversion, which preserves
 /// circles: the corners of each quad are on one.
@@ -190,12 +190,34 @@ fn pieces_cut_along_seams_make_the_dome_again() {
 }
 
 #[test]
-fn card_of_a_millimetre_makes_the_dome_again_however_it_is_folded() {
-    for fold in [Fold::Score, Fold::VCut, Fold::Separate] {
-        for print_inside in [false, true] {
-            let (scale, sheet, thickness) = (5.0, [1000.0, 700.0], 1.0);
+fn paper_with_a_kerf_makes_the_dome_again_with_glue_and_with_tongues_in_slots() {
+    for join in [Join::Tabs, Join::Slots] {
+        for (pieces, kerf, print_inside) in
+            [(Pieces::Nets, 0.15, false), (Pieces::Strips, 0.2, true), (Pieces::Across, 0.0, false)]
+        {
+            let (scale, sheet) = (5.0, [1000.0, 700.0]);
             let of = of(Product::Paper);
-            let own = BuildSettings { fold, print_inside, scale, sheet, thickness, ..of };
+            let own = BuildSettings { join, pieces, kerf, print_inside, scale, sheet, ..of };
+            let made = build(&dome(), &own);
+            let paper = made.report().paper.unwrap();
+            assert_eq!(paper.tongues > 0, join == Join::Slots);
+            let files = files(&made);
+            let found = paper::assemble(&files);
+            key::assert_shows(&files, &found);
+            found.assert_is(&dome());
+        }
+    }
+}
+
+#[test]
+fn card_makes_the_dome_again_however_it_is_folded() {
+    let folds = [Fold::Score, Fold::VCut, Fold::Separate];
+    let cuts = [(0.5, 0.15), (1.0, 0.0), (1.5, 0.0), (2.0, 0.15)];
+    for (fold, (thickness, kerf)) in folds.iter().flat_map(|&fold| cuts.map(|cut| (fold, cut))) {
+        for print_inside in [false, true] {
+            let (scale, sheet) = (5.0, [1000.0, 700.0]);
+            let of = of(Product::Paper);
+            let own = BuildSettings { fold, print_inside, scale, sheet, thickness, kerf, ..of };
             paper::assemble(&files(&build(&dome(), &own))).assert_is(&dome());
         }
     }

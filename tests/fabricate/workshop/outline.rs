@@ -37,6 +37,27 @@ pub(super) fn to_segment(point: Point2, [a, b]: [Point2; 2]) -> f64 {
     distance(to, along.map(|x| share * x))
 }
 
+/// The outline of what is left when a part is cut with this kerf: without ways to the end of a slit and
+/// back.
+pub(super) fn left_of(outline: &[Point2], kerf: f64) -> Vec<Point2> {
+    if kerf == 0.0 {
+        return outline.to_vec();
+    }
+    let mut points = outline.to_vec();
+    let mut k = 0;
+    while k < points.len() {
+        let n = points.len();
+        let (before, after) = ((k + n - 1) % n, (k + 1) % n);
+        if distance(points[before], points[after]) > 1e-3 {
+            k += 1;
+            continue;
+        }
+        points = (0..n).filter(|i| ![k, after].contains(i)).map(|i| points[i]).collect();
+        k = 0;
+    }
+    widened(&points, &vec![-0.5 * kerf; points.len()])
+}
+
 /// An outline with its sides moved outwards.
 pub(super) fn widened(outline: &[Point2], by: &[f64]) -> Vec<Point2> {
     let n = outline.len();

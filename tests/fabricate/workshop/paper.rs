@@ -1,9 +1,10 @@
 //! Paper: pieces are folded along their lines, and tabs are glued behind the panels that are written on
-//! them, or that the name at their side tells. Edges of card are taped to each other.
+//! them, or that the name at their side tells; tongues go into the slots of their name. Edges of card are
+//! taped to each other.
 
 use super::files::{Files, Part};
 use super::letters::Text;
-use super::outline::{lengths, widened, written};
+use super::outline::{left_of, lengths, widened, written};
 use super::shape::{Flat, Found, Side, assembled, matching, sides_of_panels};
 use shape_up::math::plane::{Point2, area, cross, distance, dot, is_inside, minus};
 use std::collections::{BTreeMap, BTreeSet};
@@ -51,6 +52,23 @@ impl Region {
         self
     }
 
+    /// Whether it is a tongue: a rectangle with bevelled corners, of which only one side is folded.
+    fn is_tongue(&self) -> bool {
+        let is_folded = |k: &usize| self.lines[*k] != Line::Cut;
+        let [k] = (0..self.lines.len()).filter(is_folded).collect::<Vec<_>>()[..] else {
+            return false;
+        };
+        let side = |i: usize| {
+            let [p, q] = [0, 1].map(|end| self.corners[(k + i + end) % self.corners.len()]);
+            minus(q, p)
+        };
+        let is_square = |i: usize| {
+            dot(side(0), side(i)).abs()
+                < 0.01 * (dot(side(0), side(0)) * dot(side(i), side(i))).sqrt()
+        };
+        self.corners.len() == 6 && is_square(1) && is_square(5)
+    }
+
     /// Whether it is a tab: a trapezium of which only the longer of two parallel sides is folded, with
     /// angles of at most 45 degrees there.
     fn is_tab(&self) -> bool {
@@ -73,6 +91,11 @@ pub(super) fn assemble(files: &Files) -> Found {
     let scale = files.number("Scale 1 : (scale)");
     let sides = sides_of_panels(files);
     let (mut parts, _) = files.parts();
+    let kerf = files.number("Kerf (kerf)");
+    for part in &mut parts {
+        part.outline = left_of(&part.outline, kerf);
+        close_folds(part, kerf);
+    }
     if files.text("Print on the inside (print_inside)") == "on" {
         parts.iter_mut().for_each(turn_over);
     }
@@ -102,12 +125,15 @@ pub(super) fn assemble(files: &Files) -> Found {
     let mut panels = BTreeMap::new();
     // Tabs, as the panel that each is on and the panel behind which it is glued.
     let mut glued: Vec<(String, String)> = Vec::new();
+    // By the name of a tongue: what is at a slot and at the tongue, as the panels there and beyond.
+    let mut tongues: [BTreeMap<String, (String, String)>; 2] = Default::default();
     for part in &parts {
         let regions: Vec<Region> =
             regions(part, exact).into_iter().map(Region::without_steps).collect();
         let mut names: Vec<Option<String>> = Vec::new();
         for region in &regions {
-            let own = (!has_tabs || !region.is_tab()).then(|| own_name(part, region));
+            let is_added = has_tabs && (region.is_tab() || region.is_tongue());
+            let own = (!is_added).then(|| own_name(part, region));
             assert!(own.as_ref().is_none_or(|own| known[&part.name].contains(own)), "{own:?}");
             names.push(own);
         }
@@ -125,13 +151,30 @@ pub(super) fn assemble(files: &Files) -> Found {
                     Some((Some(other), _)) => written[k] = Some(other.clone()),
                     Some((None, tab)) if !tab.texts.is_empty() => {
                         assert_eq!(tab.texts.len(), 1, "{}", part.name);
-                        written[k] = Some(tab.texts[0].text.clone());
+                        let text = &tab.texts[0].text;
+                        match text.starts_with('T') {
+                            // Beside the name of the neighbour, which is written on the panel.
+                            true => {
+                                let beyond = written[k].take().unwrap_or_default();
+                                written[k] = Some(format!("{beyond} {text}"));
+                            }
+                            false => written[k] = Some(text.clone()),
+                        }
                     }
                     _ => {}
                 }
                 is_joined.push(matches!(other, Some((Some(_), _))));
-                has_tab.push(matches!(other, Some((None, _))));
+                has_tab.push(other.filter(|(other, _)| other.is_none()).map(|(_, tab)| tab));
             }
+            let of_tongues: Vec<Option<String>> = written
+                .iter_mut()
+                .map(|written| {
+                    let (beyond, tongue) = written.as_ref()?.split_once(' ')?;
+                    let (beyond, tongue) = (beyond.to_owned(), tongue.to_owned());
+                    *written = (!beyond.is_empty()).then_some(beyond);
+                    Some(tongue)
+                })
+                .collect();
             let mut own = sides[name].clone();
             // The whole panel, if the first side of the region is this one.
             let whole = |first: usize| {
@@ -152,8 +195,14 @@ pub(super) fn assemble(files: &Files) -> Found {
                 // A fold is made the way in which its line is drawn.
                 let expected = if side.fold > 0.0 { Line::Ridge } else { Line::Valley };
                 assert!([Line::Cut, expected].contains(&region.lines[k]), "{name} {side:?}");
-                if has_tab[k] {
-                    glued.push((name.clone(), side.beyond.clone()));
+                let Some(added) = has_tab[k] else { continue };
+                let panels = (name.clone(), side.beyond.clone());
+                match &of_tongues[k] {
+                    None => glued.push(panels),
+                    Some(tongue) => {
+                        let of = &mut tongues[usize::from(added.is_tongue())];
+                        assert!(of.insert(tongue.clone(), panels).is_none(), "{tongue} twice");
+                    }
                 }
             }
             if !has_tabs {
@@ -164,7 +213,13 @@ pub(super) fn assemble(files: &Files) -> Found {
         }
     }
     assert_eq!(panels.len(), sides.len(), "every panel is on a piece");
-    for (on, behind) in glued {
+    // Each tongue has its slot, at the edge that it is on.
+    let [slots, tongues] = tongues;
+    assert!(slots.keys().eq(tongues.keys()), "{slots:?} {tongues:?}");
+    for (name, (own, beyond)) in &slots {
+        assert_eq!(tongues[name], (beyond.clone(), own.clone()), "{name}");
+    }
+    for (on, behind) in glued.into_iter().chain(slots.into_values()) {
         for (own, other) in [(&on, &behind), (&behind, &on)] {
             let panel = panels.get_mut(own).unwrap();
             let k = panel.sides.iter().position(|side| side.beyond == *other).unwrap();
@@ -172,6 +227,20 @@ pub(super) fn assemble(files: &Files) -> Found {
         }
     }
     assembled(&panels)
+}
+
+/// Adds what a slot leaves out of a fold: the side of the slot along it, with the kerf.
+fn close_folds(part: &mut Part, kerf: f64) {
+    const EXACT: f64 = 0.01;
+    for hole in &part.holes {
+        let hole = widened(hole, &vec![0.5 * kerf; hole.len()]);
+        for lines in [&mut part.folds, &mut part.valleys] {
+            let ends: Vec<Point2> = lines.iter().flatten().copied().collect();
+            let is_end = |point: Point2| ends.iter().any(|end| distance(*end, point) < EXACT);
+            let sides = (0..4).map(|k| [hole[k], hole[(k + 1) % 4]]);
+            lines.extend(sides.filter(|side| side.iter().all(|&point| is_end(point))));
+        }
+    }
 }
 
 /// Turns a piece over: what was printed on is inside, and its ridges are valleys seen from outside.

@@ -139,6 +139,7 @@ fn panel(name: String, mut pieces: BTreeMap<String, Part>, kerf: f64) -> Part {
         valleys: Vec::new(),
         // It does not move.
         arrow: pieces[&first].arrow,
+        holes: Vec::new(),
         name,
     }
 }

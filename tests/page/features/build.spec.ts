@@ -254,7 +254,8 @@ test('every declared setting has a field with its unit, in its group', async ({ 
   expect(build).toMatchObject({ kerf: 0.2, sheet: [300, 200], limits: { flatness: 60 } });
   await expect(partsPanel(page).getByLabel('Joint, m')).toBeVisible();
   await partsPanel(page).getByLabel('Make').selectOption('paper');
-  await expect(partsPanel(page).getByLabel('Kerf')).toBeHidden();
+  await expect(partsPanel(page).getByLabel('Tool, mm')).toBeHidden();
+  await expect(partsPanel(page).getByLabel('Kerf, mm')).toBeVisible();
   await expect(partsPanel(page).getByLabel('Tabs, mm')).toBeVisible();
 });
 
@@ -280,6 +281,26 @@ test('a material, a machine and a sheet of one’s own can be chosen', async ({ 
   await machine.selectOption('Laser');
   await expect.poll(async () => (await sceneOf(page)).build).toMatchObject({ kerf: 0.15 });
   await expect(machine.locator('option:checked')).toHaveText('Laser');
+});
+
+test('card that is too thick for creases is scored, and paper is joined by tongues in slots', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'roof.obj', `# units: m\n${wavyGrid(4)}`, 25);
+  await openParts(page);
+  const panel = partsPanel(page);
+  await panel.getByLabel('Make').selectOption('paper');
+  await waitForState(page, (now) => now.build?.product === 'paper');
+  await setField(page, 'Scale 1 :', 20);
+  await panel.getByLabel('Cut edges').selectOption('slots');
+  await waitForState(page, (now) => (now.build?.paper?.tongues ?? 0) > 0);
+  await expect(panel).toContainText(/\d+ tongues?/);
+  await setField(page, 'Thickness, mm', 1);
+  await panel.getByRole('button', { name: 'Score the folds' }).click();
+  await waitForState(page, (now) => now.build?.paper?.tongues === 0);
+  await expect(panel.getByLabel('Folds')).toHaveValue('score');
+  await expect(panel.getByRole('button', { name: 'Score the folds' })).toBeHidden();
 });
 
 test('node discs join the fins, at a scale at which they have room', async ({ page }) => {
