@@ -1,6 +1,6 @@
 //! Why a surface cannot be remeshed, with the place.
 
-use super::fault::ResultFault;
+use super::fault::{MapFault, ResultFault};
 use super::options::MOST_PANELS;
 use crate::math::Vec3;
 use crate::words;
@@ -59,17 +59,22 @@ pub enum RemeshError {
         /// The mean of its vertices.
         at: Vec3<f64>,
     },
-    /// A matrix is not positive definite to working precision: coordinates are out of proportion.
-    Numerical,
-    /// Each opening and each irregular vertex has to be at whole panels from all others, and there are
-    /// too many.
-    TooManyOpenings,
-    /// The map exceeds the range of fixed-point coordinates.
-    OutOfRange,
+    /// A part of the surface has no map.
+    NotMapped {
+        /// Why.
+        fault: MapFault,
+        /// The middle of the part.
+        at: Vec3<f64>,
+    },
     /// No attempt gave a surface like the input.
     NotFollowed {
         /// What was wrong with the first attempt.
         fault: ResultFault,
+        /// A smaller size of panels, in the unit of the mesh, which was not tried; none if it would be
+        /// refused.
+        smaller: Option<f64>,
+        /// The largest place where the map of the first attempt is flipped, or the middle of the part.
+        at: Vec3<f64>,
     },
 }
 
@@ -81,6 +86,8 @@ impl RemeshError {
             | RemeshError::BranchingEdge { at, .. }
             | RemeshError::OneSided { at }
             | RemeshError::Opening { at, .. }
+            | RemeshError::NotMapped { at, .. }
+            | RemeshError::NotFollowed { at, .. }
             | RemeshError::SizeTooLarge { at, .. } => Some(at),
             _ => None,
         }
@@ -141,16 +148,7 @@ impl RemeshError {
                     "panels of this size are too large for the surface, expected sides of {greatest} or less"
                 )
             }
-            RemeshError::Numerical => {
-                "the coordinates of the surface are out of proportion".to_owned()
-            }
-            RemeshError::TooManyOpenings => {
-                "the surface has too many openings and irregular vertices for panels laid out together: keep some faces as they are"
-                    .to_owned()
-            }
-            RemeshError::OutOfRange => {
-                "the surface is too large for panels of this size".to_owned()
-            }
+            RemeshError::NotMapped { fault, .. } => fault.to_string(),
             RemeshError::Opening { length, greatest, stays, .. } => {
                 let greatest = side(greatest * (1.0 - SAFE));
                 let length = words::limit(words::rounded(*length, 3), units);
@@ -162,9 +160,11 @@ impl RemeshError {
                     "an opening{beside} is {length} around, less than two panels: {mend} sides of {greatest} or less"
                 )
             }
-            RemeshError::NotFollowed { fault } => {
+            RemeshError::NotFollowed { fault, smaller, .. } => {
+                let such = smaller.map(|size| format!(", such as sides of {}", side(size)));
+                let such = such.unwrap_or_default();
                 format!(
-                    "panels of this size cannot follow the surface ({fault}): expected smaller panels"
+                    "panels of this size cannot follow the surface ({fault}): expected smaller panels{such}"
                 )
             }
         }

@@ -1,7 +1,31 @@
-//! What is wrong with a result.
+//! What is wrong with a result, and why there is no map.
 
 use crate::words::{count, group_digits};
 use std::fmt;
+
+/// Why a part of the surface has no map.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum MapFault {
+    /// A matrix is not positive definite to working precision: coordinates are out of proportion.
+    Numerical,
+    /// Each opening and each irregular vertex has to be at whole panels from all others, and there are
+    /// too many.
+    TooManyIntegers,
+    /// The map exceeds the range of fixed-point coordinates.
+    OutOfRange,
+}
+
+impl fmt::Display for MapFault {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            MapFault::Numerical => "the coordinates of the surface are out of proportion",
+            MapFault::TooManyIntegers => {
+                "the surface has too many openings and irregular vertices for panels laid out together: keep some faces as they are"
+            }
+            MapFault::OutOfRange => "the surface is too large for panels of this size",
+        })
+    }
+}
 
 /// What is wrong with a result.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -5,7 +5,7 @@
 //! |---|---|
 //! | `grid_map` | the triangulated surface and the integer-grid map, in fixed point |
 //! | `options` | settings, stages |
-//! | `error`, `fault` | why a surface cannot be remeshed, and what is wrong with a result |
+//! | `error`, `fault` | why a surface cannot be remeshed, why it has no map, and what is wrong with a result |
 //! | `system` | sparse systems with some unknowns given |
 //! | `surface` | the input prepared: refined, with features |
 //! | `field` | the cross field and its cut |
@@ -37,7 +37,7 @@ mod surface;
 mod system;
 
 pub use error::RemeshError;
-pub use fault::ResultFault;
+pub use fault::{MapFault, ResultFault};
 pub use grid_map::{FRACTION_BITS, GridMap, Side, Transition, Triangulation, UNIT};
 pub use map::{GridMapper, MapNotes, MapVisitor};
 pub use options::{Boundary, MapOptions, PanelSize, RemeshObserver, RemeshStage};

@@ -5,12 +5,14 @@ use super::fault::ResultFault;
 use super::glide::{glide, holds};
 use super::grid_map::{GridMap, Triangulation};
 use super::map::{GridMapper, MapNotes};
+use super::remeshed::NEAR;
 use super::repair::{Repaired, repair, trim};
-use super::result::{Samples, Shape, verify};
+use super::result::{Samples, Shape, places, verify};
 use super::surface::{PrepareNotes, Prepared};
 use super::{Boundary, MapOptions, RemeshError, RemeshObserver};
 use crate::math::{Vec3, mean, twice_vector_area};
 use crate::mesh::{Measures, Mesh, Point, Ragged};
+use std::cmp::Ordering;
 use std::collections::BTreeMap;
 
 /// The result of one connected part.
@@ -35,7 +37,7 @@ pub(super) struct Part {
 /// those of later levels follow little of the curvature.
 const LAST_RETRY: u32 = 1;
 /// Other numbers of panels that are tried, as factors: integers fall differently, and of the results
-/// that whose panels are nearest to circles is taken.
+/// that with the fewest flaws is taken, of these that whose panels are nearest to circles.
 const NUMBERS: [f64; 2] = [0.96, 1.04];
 /// The most integers of a map for which other numbers are tried, and the most panels: of many panels
 /// the integers matter less.
@@ -50,6 +52,10 @@ pub(super) struct Asked<'a> {
     pub(super) options: &'a MapOptions,
     /// Number of panels.
     pub(super) wanted: f64,
+    /// The size of panels that is named if these cannot follow the part.
+    pub(super) smaller: Option<f64>,
+    /// The middle of the part.
+    pub(super) middle: Vec3<f64>,
 }
 
 impl Asked<'_> {
@@ -62,7 +68,8 @@ impl Asked<'_> {
     ) -> Result<Part, RemeshError> {
         let MapOptions { follow, direction, .. } = *self.options;
         let mut best: Option<(Part, MapNotes)> = None;
-        let mut fault: Option<ResultFault> = None;
+        // The first one, with its place.
+        let mut fault: Option<(ResultFault, Vec3<f64>)> = None;
         let mapped =
             mapper.maps([follow, direction, self.wanted], observer, &mut |prepared, map, notes| {
                 let level = notes.level;
@@ -76,17 +83,20 @@ impl Asked<'_> {
                             best = Some((part, notes));
                         }
                     }
-                    Err(first) => fault = fault.or(Some(first)),
+                    Err(own) => {
+                        fault.get_or_insert_with(|| (own, self.place(prepared, &notes)));
+                    }
                 }
                 let is_late = best.is_some() && level >= LAST_RETRY;
                 !is_whole && !is_late
             });
         // What a later level fails at takes nothing from what was found.
         if best.is_none() {
-            mapped?;
+            mapped.map_err(|fault| RemeshError::NotMapped { fault, at: self.middle })?;
         }
         let Some((mut best, notes)) = best else {
-            return Err(RemeshError::NotFollowed { fault: fault.expect("a map failed") });
+            let (fault, at) = fault.expect("a map failed");
+            return Err(RemeshError::NotFollowed { fault, smaller: self.smaller, at });
         };
         let dropped = notes.dropped_creases;
         let is_small = notes.integers <= MOST_INTEGERS && self.wanted <= MOST_PANELS_VARIED;
@@ -98,11 +108,15 @@ impl Asked<'_> {
                     if let Ok(found) = self.result(prepared, &map, &notes) {
                         let count = found.faces.len() as f64 / self.wanted;
                         let is_near = count.max(1.0 / count) < MOST_CHANGED;
+                        let is_better = match found.flaws().cmp(&best.flaws()) {
+                            Ordering::Less => true,
+                            Ordering::Equal => found.off_circles() < best.off_circles(),
+                            Ordering::Greater => false,
+                        };
                         if notes.flipped.is_empty()
                             && notes.dropped_creases <= dropped
                             && is_near
-                            && found.lost.len() <= best.lost.len()
-                            && found.off_circles() < best.off_circles()
+                            && is_better
                         {
                             best = found;
                         }
@@ -113,6 +127,13 @@ impl Asked<'_> {
             }
         }
         Ok(best)
+    }
+
+    /// The largest place where a map is flipped; without one, the middle of the part.
+    fn place(&self, prepared: &Prepared, notes: &MapNotes) -> Vec3<f64> {
+        let at = |&triangle: &usize| prepared.surface.at(triangle, 0);
+        let flipped: Vec<Vec3<f64>> = notes.flipped.iter().map(at).collect();
+        places(&flipped, NEAR * prepared.size).first().copied().unwrap_or(self.middle)
     }
 
     /// What comes of a map: without lines through flipped triangles if not with them.
@@ -144,6 +165,11 @@ impl Asked<'_> {
 }
 
 impl Part {
+    /// The number of places where panels are repaired, turned over or folded.
+    fn flaws(&self) -> usize {
+        self.lost.len() + self.folds.len()
+    }
+
     /// The mean distance of the panels from circles, for panels of one size: it grows with their
     /// squared size.
     fn off_circles(&self) -> f64 {

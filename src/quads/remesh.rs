@@ -6,11 +6,14 @@ use super::options::MOST_PANELS;
 use super::part::Asked;
 use super::remeshed::{note_on_left_out, notes_on, together};
 use super::surface::{InputParts, InputSurface, SHORTEST_LOOP, StayingPart};
-use super::{Boundary, MapOptions, PanelSize, RemeshError, RemeshObserver, RemeshStage, Remeshed};
+use super::{Boundary, MapFault, MapOptions, PanelSize, RemeshError, RemeshObserver};
+use super::{RemeshStage, Remeshed};
 use crate::mesh::Mesh;
 
 /// Sizes that are suggested exceed the least one by this factor: rounded for words, they are not less.
 const SUGGESTED: f64 = 1.25;
+/// Where panels cannot follow the surface, this part of their size is named.
+const SMALLER: f64 = 0.7;
 /// Where panels cannot follow a part, or it has too many openings, those less than this many panels around
 /// are covered: a crack as long as a panel has no panels of its own on either side.
 const LONGER_LOOP: f64 = 4.0;
@@ -113,7 +116,9 @@ impl Remesher {
         let mut staying_parts = self.staying_parts.clone();
         for (surface, [first, longer]) in surfaces.iter().zip(&mut kept.mappers) {
             observer(RemeshStage::Prepare);
-            let asked = Asked { mesh, options, wanted: surface.area() / (size * size) };
+            let smaller = (SMALLER * size > SUGGESTED * least).then_some(SMALLER * size);
+            let wanted = surface.area() / (size * size);
+            let asked = Asked { mesh, options, wanted, smaller, middle: surface.middle() };
             let mut cover = |place: &mut Option<GridMapper>, longest_loop: f64| {
                 let mapper = match place {
                     Some(mapper) => mapper,
@@ -126,7 +131,10 @@ impl Remesher {
                 asked.part(mapper, observer)
             };
             let mut found = cover(first, SHORTEST_LOOP);
-            if let Err(RemeshError::NotFollowed { .. } | RemeshError::TooManyOpenings) = found
+            if let Err(
+                RemeshError::NotFollowed { .. }
+                | RemeshError::NotMapped { fault: MapFault::TooManyIntegers, .. },
+            ) = found
                 && surface.covers_more([SHORTEST_LOOP, LONGER_LOOP].map(|panels| panels * size))
             {
                 found = cover(longer, LONGER_LOOP).or(found);

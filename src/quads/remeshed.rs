@@ -20,6 +20,8 @@ pub struct Remeshed {
     pub staying: usize,
     /// Measures of all covered parts together.
     pub measures: RemeshMeasures,
+    /// The irregular vertices that [`RemeshMeasures::irregular`] counts, ascending.
+    pub irregular: Vec<u32>,
     /// The greatest level of retry of a part: 0 follows the curvature as asked, 3 not at all.
     pub level: u32,
     /// What the reader should know.
@@ -41,10 +43,11 @@ impl RemeshNote {
     }
 }
 
-/// Input vertices farther than this many panels from the result are not followed.
+/// Vertices of the input or of the result that are farther than this many panels from the other one are
+/// where the surface is not followed.
 const FAR: f64 = 1.0;
 /// Places nearer to each other than this many panels are one.
-const NEAR: f64 = 2.5;
+pub(super) const NEAR: f64 = 2.5;
 /// A panel follows a surface that turns by no more than this along it, in radians.
 const TURN: f64 = 1.0;
 /// The side of panels that leave an opening open, as a fraction of the length around it: less than a
@@ -76,13 +79,14 @@ pub(super) fn together(
     notes.extend(not_followed(&parts, covered_faces, &distances, least, units));
     notes.extend(dropped(&parts));
     notes.extend(covered(&parts, least, units));
+    let irregular = std::mem::take(&mut tally.irregular_vertices);
     let measures = tally.measures(
         distances.largest,
         parts.iter().map(|part| part.shape.loops).sum(),
         parts.iter().map(|part| part.shape.euler).sum(),
     );
     let level = parts.iter().map(|part| part.level).max().unwrap_or(0);
-    Remeshed { mesh, staying: 0, measures, level, notes }
+    Remeshed { mesh, staying: 0, measures, irregular, level, notes }
 }
 
 impl Remeshed {
@@ -148,8 +152,8 @@ pub(super) fn note_on_left_out(input: &Mesh, faces: &[u32], size: f64) -> Option
     Some(RemeshNote::new(words, places(&middles, NEAR * size)))
 }
 
-/// Names the places that the panels cannot follow, and the size of panels that would, unless it is below
-/// `least`.
+/// Names the places that the panels cannot follow, and the size of panels along which the surface turns
+/// there as far as panels can, unless it is below `least`.
 fn not_followed(
     parts: &[Part],
     covered_faces: &Mesh,
@@ -161,8 +165,9 @@ fn not_followed(
     let of_part = |part: &Part| [part.lost.clone(), part.folds.clone()].concat();
     let mut lost: Vec<Vec3<f64>> = parts.iter().flat_map(of_part).collect();
     let used = covered_faces.used_positions();
-    let far = used.iter().zip(&distances.from_input).filter(|(_, d)| **d > FAR * size);
-    lost.extend(far.map(|(&point, _)| Vec3::from(point)));
+    let of_input = used.iter().map(|&point| Vec3::from(point)).zip(&distances.from_input);
+    let own = parts.iter().flat_map(|part| part.positions.iter().copied()).zip(&distances.to_input);
+    lost.extend(of_input.chain(own).filter(|(_, d)| **d > FAR * size).map(|(point, _)| point));
     let places = places(&lost, NEAR * size);
     if places.is_empty() {
         return None;
@@ -172,8 +177,14 @@ fn not_followed(
         1 => ("1 place is".to_owned(), "it"),
         count => (format!("{} places are", words::group_digits(count)), "them"),
     };
-    let takes = takes(follows, least, units);
-    let words = format!("{count} smaller than a panel: to follow {them} {takes}");
+    // Of a scan, panels of this size find smaller details at the same place.
+    let what = match follows < least {
+        true => format!("to follow {them} {}", takes(follows, least, units)),
+        false => {
+            format!("sides of {} or less may follow {them}", words::rough_length(follows, units))
+        }
+    };
+    let words = format!("{count} smaller than a panel: {what}");
     Some(RemeshNote::new(words, places))
 }
 
@@ -256,13 +267,15 @@ mod tests {
             notes: PrepareNotes::default(),
         };
         let parts = [part];
-        let distances = Distances { from_input: Vec::new(), largest: Default::default() };
+        let distances =
+            Distances { to_input: Vec::new(), from_input: Vec::new(), largest: Default::default() };
         let said = |least: f64| {
             let note = not_followed(&parts, &Mesh::default(), &distances, least, "m");
             note.expect("a place is lost").words
         };
-        let place = "1 place is smaller than a panel: to follow it";
-        assert_eq!(said(0.05), format!("{place} takes sides of 80 mm or less"));
-        assert_eq!(said(0.1), format!("{place} would take nearly 100\u{2009}000 panels, or more"));
+        let place = "1 place is smaller than a panel:";
+        assert_eq!(said(0.05), format!("{place} sides of 80 mm or less may follow it"));
+        let many = "to follow it would take nearly 100\u{2009}000 panels, or more";
+        assert_eq!(said(0.1), format!("{place} {many}"));
     }
 }

@@ -1,7 +1,7 @@
 //! A sparse symmetric positive definite system whose values change and whose pattern stays: analysed
 //! once, factored for each set of values, with some unknowns given.
 
-use super::RemeshError;
+use super::MapFault;
 use crate::sparse::{Factor, Factorization, Precision, SymbolicAnalysis, UpperTriangle};
 use std::rc::Rc;
 
@@ -57,7 +57,7 @@ impl SymmetricSystem {
     ///
     /// # Errors
     /// If the matrix is not positive definite to working precision.
-    pub(super) fn factor(&mut self, given: &[bool]) -> Result<(), RemeshError> {
+    pub(super) fn factor(&mut self, given: &[bool]) -> Result<(), MapFault> {
         let any = given.iter().any(|&given| given);
         for (k, flag) in self.given.iter_mut().enumerate() {
             *flag = any && given[self.analysis.unknown_at(k) as usize];
@@ -76,7 +76,7 @@ impl SymmetricSystem {
         });
         let matrix = self.reduced.as_ref().unwrap_or(&self.matrix);
         let factored = self.factor.factor(matrix, &self.given, Precision::Double);
-        factored.map_err(|_| RemeshError::Numerical)
+        factored.map_err(|_| MapFault::Numerical)
     }
 
     /// Solves for the unknowns that are not given. `x` has the right-hand sides, and the values of

@@ -58,8 +58,8 @@ pub use json::{FORMAT, VERSION};
 pub use lesson::{Goal, GoalOf, Lesson, Lock};
 pub(crate) use panels::all_faces;
 pub use panels::{
-    Forecast, ForecastOfKind, HowFar, MeshSuggestion, PanelOffer, offers_new_panels,
-    panel_adjective, panel_offers, panel_suggestion, problem_suggestion,
+    Forecast, ForecastOfKind, HowFar, MeshSuggestion, PanelOffer, is_mostly_triangles,
+    offers_new_panels, panel_adjective, panel_offers, panel_suggestion, problem_suggestion,
 };
 pub use presentation::{Slide, Variant, Variants};
 pub use presets::{PRESETS, Preset, PresetOffer};

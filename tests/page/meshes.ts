@@ -26,6 +26,24 @@ export const bumpyGrid = (n: number) =>
 /** A grid of steps that cannot be flat without folds. */
 export const steppedGrid = (n: number) => gridText(n, (x, y) => 0.3 * ((x * y) % 5));
 
+/** A barrel vault of n by n quads, whose edges are turned by so many degrees against its axis. */
+export function barrel(n: number, degrees: number) {
+  const [c, s] = [Math.cos, Math.sin].map((f) => f((degrees * Math.PI) / 180));
+  const turned = (line: string) => {
+    if (!line.startsWith('v ')) return line;
+    const [i, j] = line
+      .slice(2)
+      .split(' ')
+      .map((one) => Number(one) - n / 2);
+    const [x, y] = [c * i - s * j, s * i + c * j];
+    return `v ${x.toFixed(6)} ${y.toFixed(6)} ${(-0.1 * x * x).toFixed(6)}`;
+  };
+  return gridText(n, () => 0)
+    .split('\n')
+    .map(turned)
+    .join('\n');
+}
+
 /** A roof of 40 by 24 panels that comes down to eight columns. */
 export function columns() {
   const feet = [6, 15, 25, 34].flatMap((x) => [7, 17].map((y) => [x, y] as const));

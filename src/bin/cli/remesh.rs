@@ -7,8 +7,9 @@ use serde::Serialize;
 use shape_up::mesh::Edited;
 use shape_up::quads::{
     Boundary, MapOptions, PanelSize, RemeshError, RemeshMeasures, RemeshNote, Remeshed,
-    direction_weight, follow_weight, remesh,
+    direction_weight, follow_weight,
 };
+use shape_up::session::PanelLayouts;
 use shape_up::solve::clock;
 use shape_up::words;
 use std::path::{Path, PathBuf};
@@ -23,6 +24,8 @@ const NO_CREASE: f64 = 180.0;
 pub(in crate::cli) struct Remesh {
     input: PathBuf,
     options: MapOptions,
+    /// Without a wish, what moves less.
+    boundary: Option<Boundary>,
     out: Option<PathBuf>,
     report: Option<PathBuf>,
 }
@@ -32,6 +35,9 @@ pub(in crate::cli) struct Remesh {
 struct Report {
     #[serde(flatten)]
     measures: RemeshMeasures,
+    /// What the panels do at the boundary; none if the surface is closed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    boundary: Option<Boundary>,
     /// The level of retry: 0 follows the curvature as asked, 3 not at all.
     level: u32,
     notes: Vec<RemeshNote>,
@@ -48,6 +54,7 @@ struct Seconds {
 pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<Remesh, String> {
     let mut options = MapOptions::of_size(PanelSize::Count(QUADS));
     let (mut out, mut report, mut input, mut sized) = (None, None, None, None);
+    let mut boundary = None;
     while let Some(name) = tokens.option(&mut input)? {
         match name.as_str() {
             "--quads" | "--size" => {
@@ -67,7 +74,7 @@ pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<Remesh, String> {
             }
             "--boundary" => {
                 let all = [Boundary::Followed, Boundary::Cut];
-                options.boundary = *tokens.word_of(&name, &all, |boundary| boundary.word())?;
+                boundary = Some(*tokens.word_of(&name, &all, |boundary| boundary.word())?);
             }
             "--out" => out = Some(tokens.mesh(&name)?),
             "--report" => report = Some(tokens.output(&name)?),
@@ -75,7 +82,7 @@ pub(in crate::cli) fn parse(tokens: &mut Tokens) -> Result<Remesh, String> {
         }
     }
     let input = input.ok_or("remesh needs a mesh file")?;
-    Ok(Remesh { input, options, out, report })
+    Ok(Remesh { input, options, boundary, out, report })
 }
 
 /// Covers the surface, and writes the files.
@@ -89,15 +96,16 @@ pub(in crate::cli) fn run(asked: &Remesh) -> Result<(), Failure> {
     output::check(asked.out.iter().chain(&asked.report))?;
     scene.validate(&mesh).map_err(|error| input::at(&asked.input)(error.into()))?;
     let load = clock::now() - started;
-    let found = remesh(&mesh, &asked.options, &scene.units, &mut |_| ());
-    let found = found
+    let mut layouts = PanelLayouts::new(mesh, &scene.units, &[]);
+    let found = layouts.remesh(&asked.options, asked.boundary, &mut |_| ());
+    let (found, boundary) = found
         .map_err(|error| Failure::Input(format!("{path}: {}", refusal(&error, &scene.units))))?;
     let seconds = Seconds { load, total: clock::now() - started };
     let mut files: Vec<(&Path, Vec<u8>)> = Vec::new();
     if let Some(out) = &asked.out {
         // With the groups, curves and faces with holes of the input, as in the page.
-        let Edited { mesh: mut made, origins } = Edited::covering(&mesh, &found.mesh);
-        origins.carry(&mesh, &mut made);
+        let Edited { mesh: mut made, origins } = Edited::covering(layouts.shape(), &found.mesh);
+        origins.carry(layouts.shape(), &mut made);
         let (file, remark) = output::mesh_file(out, &made, &frame);
         files.push((out, file));
         remarks.extend(remark);
@@ -107,7 +115,7 @@ pub(in crate::cli) fn run(asked: &Remesh) -> Result<(), Failure> {
     text += &output::notes(&remarks);
     if let Some(to) = &asked.report {
         let Remeshed { measures, level, notes, .. } = found;
-        let report = Report { measures, level, notes, seconds };
+        let report = Report { measures, boundary, level, notes, seconds };
         files.push((to, output::json(&report).into_bytes()));
     }
     output::write(&files)?;

@@ -89,7 +89,8 @@ remesh covers a surface, of triangles or any polygons, with quads along its line
 can become circular panels with a small move: N panels (500), or panels with sides of a LENGTH. --follow
 trades few irregular vertices (0) for a small move (1), --even a small move (0) for even panels (1); by
 default 0.67 and 0.25. Creases that turn by more than DEGREES (40) are lines of the panels; 180 follows
-none. The boundary is followed, or cuts the panels. Details smaller than a panel are named.
+none. Panels follow the boundary or are cut at it: by default, what moves less. Details smaller than a
+panel are named.
 edit changes the faces of a mesh, and adapts the scene. A LIST is like 0-4,7, counted from 0, of a file
 that is welded as in the welded mesh; a length is in the unit of the mesh. Operations and their defaults,
 with lengths in mean edge lengths:

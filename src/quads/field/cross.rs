@@ -10,7 +10,7 @@
 use super::frames::{Complex, Frames, unit};
 use crate::quads::surface::Prepared;
 use crate::quads::system::SymmetricSystem;
-use crate::quads::{RemeshError, Side, Triangulation};
+use crate::quads::{MapFault, Side, Triangulation};
 
 /// Number of smoothing steps.
 const STEPS: usize = 15;
@@ -87,7 +87,7 @@ impl Connection {
         }
     }
 
-    fn factor(&mut self, given: &[bool]) -> Result<(), RemeshError> {
+    fn factor(&mut self, given: &[bool]) -> Result<(), MapFault> {
         let pairs: Vec<bool> = given.iter().flat_map(|&given| [given; 2]).collect();
         self.system.factor(&pairs)
     }
@@ -117,7 +117,7 @@ pub(crate) fn cross_field(
     prepared: &Prepared,
     frames: &Frames,
     steering: Steering,
-) -> Result<Cross, RemeshError> {
+) -> Result<Cross, MapFault> {
     let surface = &prepared.surface;
     let h = prepared.size;
     let n = surface.triangles.len();

@@ -7,7 +7,7 @@ use super::seamless::{Seamless, doubled_areas};
 use super::seams::Seams;
 use super::separation::Separation;
 use super::snap::snapped;
-use crate::quads::RemeshError;
+use crate::quads::MapFault;
 use crate::quads::system::RIGHT_SIDES;
 use nalgebra::DMatrix;
 
@@ -58,13 +58,13 @@ impl Integers {
         seams: &Seams,
         energy: &mut Energy,
         seamless: &Seamless,
-    ) -> Result<Integers, RemeshError> {
+    ) -> Result<Integers, MapFault> {
         let integers = (0..seams.is_integer.len()).filter(|&k| seams.is_integer[k]);
         let unknowns: Vec<(usize, usize)> =
             integers.filter_map(|k| Some((k, energy.unknowns[k]?))).collect();
         let m = unknowns.len();
         if m > MOST_INTEGERS {
-            return Err(RemeshError::TooManyOpenings);
+            return Err(MapFault::TooManyIntegers);
         }
         let right = energy.right(seams, &seamless.weights);
         let mut matrix = DMatrix::zeros(m, m);
@@ -79,7 +79,7 @@ impl Integers {
         }
         let inverse = match m {
             0 => None,
-            _ => Some(Inverse::new(matrix).ok_or(RemeshError::Numerical)?),
+            _ => Some(Inverse::new(matrix).ok_or(MapFault::Numerical)?),
         };
         let free = unknowns.iter().map(|&(k, _)| seamless.values[k]).collect();
         Ok(Integers { unknowns, free, inverse, right })

@@ -6,7 +6,7 @@ use super::relaxed::{Attempt, Field, Found, Relaxed};
 use super::snap::snap;
 use crate::quads::field::{Frames, Steering};
 use crate::quads::surface::Prepared;
-use crate::quads::{GridMap, RemeshError, RemeshObserver, RemeshStage, Side};
+use crate::quads::{GridMap, MapFault, RemeshObserver, RemeshStage, Side};
 
 /// Number of levels.
 const LEVELS: usize = 4;
@@ -86,7 +86,7 @@ impl GridMapper {
         [follow, direction, wanted]: [f64; 3],
         observer: &mut RemeshObserver<'_>,
         visit: &mut MapVisitor<'_>,
-    ) -> Result<(), RemeshError> {
+    ) -> Result<(), MapFault> {
         self.current = 0;
         let mut level = 0;
         while level < LEVELS {
@@ -124,7 +124,7 @@ impl CreaseSet {
         level: usize,
         [follow, direction]: [f64; 2],
         observer: &mut RemeshObserver<'_>,
-    ) -> Result<(), RemeshError> {
+    ) -> Result<(), MapFault> {
         let steering = steering(level, follow);
         let CreaseSet { prepared, fields, relaxed, .. } = self;
         if fields.get(level).is_none_or(|field| field.steering != steering) {
@@ -150,7 +150,7 @@ impl CreaseSet {
         may_drop: bool,
         observer: &mut RemeshObserver<'_>,
         visit: &mut MapVisitor<'_>,
-    ) -> Result<Rounds, RemeshError> {
+    ) -> Result<Rounds, MapFault> {
         let CreaseSet { prepared, fields, relaxed, .. } = self;
         let (field, relaxed) = (&fields[level], &mut relaxed[level]);
         for factor in SCALES {

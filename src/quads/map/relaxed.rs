@@ -9,7 +9,7 @@ use super::separation::{Separation, separations};
 use super::untangle::Untangling;
 use crate::quads::field::{Combed, Cross, Frames, Steering, cross_field, cut_sides};
 use crate::quads::surface::Prepared;
-use crate::quads::{RemeshError, Side};
+use crate::quads::{MapFault, Side};
 
 /// Most roundings at one scale, each with more separations.
 const ROUNDINGS: usize = 8;
@@ -34,7 +34,7 @@ impl Field {
         prepared: &Prepared,
         frames: &Frames,
         steering: Steering,
-    ) -> Result<Field, RemeshError> {
+    ) -> Result<Field, MapFault> {
         let cross = cross_field(prepared, frames, steering)?;
         let combed = Combed::new(&prepared.surface, frames, &cross.crosses);
         let cut = cut_sides(&prepared.surface, &combed);
@@ -82,13 +82,13 @@ impl Relaxed {
         frames: &Frames,
         field: &Field,
         direction: f64,
-    ) -> Result<Relaxed, RemeshError> {
+    ) -> Result<Relaxed, MapFault> {
         let Field { cross, combed, seams, .. } = field;
         let mut energy = Energy::new(prepared, frames, combed, cross, seams, direction);
         let seamless = seamless_map(prepared, seams, &mut energy, &frames.area)?;
         let predicted = 0.5 * doubled_areas(seams, &seamless.values).iter().sum::<f64>();
         if !(predicted > 0.0 && predicted.is_finite()) {
-            return Err(RemeshError::Numerical);
+            return Err(MapFault::Numerical);
         }
         let integers = Integers::new(seams, &mut energy, &seamless)?;
         Ok(Relaxed { direction, energy, seamless, integers, predicted })

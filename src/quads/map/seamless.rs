@@ -3,7 +3,7 @@
 use super::energy::Energy;
 use super::seams::Seams;
 use crate::quads::surface::Prepared;
-use crate::quads::{RemeshError, Triangulation};
+use crate::quads::{MapFault, Triangulation};
 
 /// Most rounds of stiffening.
 const ROUNDS: usize = 4;
@@ -27,7 +27,7 @@ pub(crate) fn seamless_map(
     seams: &Seams,
     energy: &mut Energy,
     areas: &[f64],
-) -> Result<Seamless, RemeshError> {
+) -> Result<Seamless, MapFault> {
     let mut weights = vec![1.0; areas.len()];
     let mut best: Option<(usize, Vec<f64>, Vec<f64>)> = None;
     let none = vec![false; energy.unknowns.len() - seams.pinned.len()];
@@ -58,7 +58,7 @@ fn solve(
     energy: &mut Energy,
     weights: &[f64],
     none: &[bool],
-) -> Result<Vec<f64>, RemeshError> {
+) -> Result<Vec<f64>, MapFault> {
     energy.assemble(weights);
     energy.system.factor(none)?;
     let mut x: Vec<[f64; 1]> = energy.right(seams, weights).into_iter().map(|b| [b]).collect();

@@ -2,7 +2,7 @@
 //! coordinates are sums with multiples of a quarter, so that every transition is exact with 20 bits.
 
 use super::seams::Seams;
-use crate::quads::{GridMap, RemeshError, Side, Transition, UNIT};
+use crate::quads::{GridMap, MapFault, Side, Transition, UNIT};
 
 /// Bits of the fraction of a free unknown.
 const BITS: u32 = 18;
@@ -19,21 +19,21 @@ pub(super) fn snapped(value: f64) -> f64 {
 ///
 /// # Errors
 /// If the map is too large for fixed point, or a coefficient is not a multiple of a quarter.
-pub(super) fn snap(seams: &Seams, values: &[f64]) -> Result<GridMap, RemeshError> {
+pub(super) fn snap(seams: &Seams, values: &[f64]) -> Result<GridMap, MapFault> {
     let scale = f64::from(1u32 << BITS);
     let fixed = |&value: &f64| (value.abs() < MOST).then(|| (value * scale + 0.5).floor() as i64);
     let values: Option<Vec<i64>> = values.iter().map(fixed).collect();
-    let values = values.ok_or(RemeshError::OutOfRange)?;
+    let values = values.ok_or(MapFault::OutOfRange)?;
     let mut coordinates = Vec::with_capacity(seams.sums.len());
     for row in &seams.sums {
         let mut sum = 0i64;
         for &(k, c) in row {
             let quarters = 4.0 * c;
             if quarters.fract() != 0.0 || quarters.abs() > MOST {
-                return Err(RemeshError::OutOfRange);
+                return Err(MapFault::OutOfRange);
             }
             let product = values[k as usize].checked_mul(quarters as i64);
-            sum = product.and_then(|p| sum.checked_add(p)).ok_or(RemeshError::OutOfRange)?;
+            sum = product.and_then(|p| sum.checked_add(p)).ok_or(MapFault::OutOfRange)?;
         }
         coordinates.push(sum);
     }
@@ -49,7 +49,7 @@ pub(super) fn snap(seams: &Seams, values: &[f64]) -> Result<GridMap, RemeshError
         let transition = Transition { quarter_turns, shift: [to_x - x, to_y - y] };
         let whole = transition.shift.iter().all(|shift| shift % UNIT == 0);
         if !whole || transition.apply(at(side, 1)) != at(back, 0) {
-            return Err(RemeshError::OutOfRange);
+            return Err(MapFault::OutOfRange);
         }
         transitions[side.triangle][side.side] = transition;
         transitions[back.triangle][back.side] = transition.inverse();

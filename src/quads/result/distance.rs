@@ -15,20 +15,22 @@ pub struct LargestDistances {
 
 /// The distances between the vertices of the result and the input, both ways, in the unit of the mesh.
 pub(in crate::quads) struct Distances {
+    /// From the vertices of the result to the input.
+    pub(in crate::quads) to_input: Vec<f64>,
     /// From the used vertices of the input to the result.
     pub(in crate::quads) from_input: Vec<f64>,
-    /// The largest of them.
+    /// The largest of both.
     pub(in crate::quads) largest: LargestDistances,
 }
 
 impl Distances {
     /// Measures the distances both ways between two meshes.
     pub(in crate::quads) fn between(result: &Mesh, input: &Mesh) -> Distances {
-        let from_input = distances(input, result);
+        let [to_input, from_input] = [distances(result, input), distances(input, result)];
         let largest = |all: &[f64]| all.iter().copied().fold(0.0, f64::max);
-        let to_input = largest(&distances(result, input));
-        let largest = LargestDistances { to_input, from_input: largest(&from_input) };
-        Distances { from_input, largest }
+        let largest =
+            LargestDistances { to_input: largest(&to_input), from_input: largest(&from_input) };
+        Distances { to_input, from_input, largest }
     }
 }
 

@@ -71,6 +71,10 @@ pub(in crate::quads) struct Tally {
     quads: usize,
     other_faces: usize,
     irregular: Irregular,
+    /// The irregular vertices, in the order of all vertices of all parts.
+    pub(in crate::quads) irregular_vertices: Vec<u32>,
+    /// Number of vertices of the parts.
+    vertices: usize,
     /// Angle in degrees and weight.
     angles: Vec<[f64; 2]>,
     lengths: Vec<f64>,
@@ -117,13 +121,18 @@ impl Tally {
             self.angles.extend(angle_to_curvature(along, [a, b], samples, size));
         }
         for v in (0..positions.len()).filter(|&v| valence[v] > 0) {
-            if boundary[v] {
+            let (is_irregular, count) = if boundary[v] {
                 let difference: f64 = turns[v] - panels[v];
-                self.irregular.boundary += usize::from(!cuts && difference.abs() > MOST_TURNED);
+                (!cuts && difference.abs() > MOST_TURNED, &mut self.irregular.boundary)
             } else {
-                self.irregular.inside += usize::from(valence[v] != 4);
+                (valence[v] != 4, &mut self.irregular.inside)
+            };
+            if is_irregular {
+                *count += 1;
+                self.irregular_vertices.push((self.vertices + v) as u32);
             }
         }
+        self.vertices += positions.len();
     }
 
     /// The measures of all parts together.

@@ -139,8 +139,12 @@ impl InputSurface {
 
     /// The whole part, which stays as it is for this reason.
     pub(crate) fn staying(&self, error: RemeshError) -> StayingPart {
-        let at = middle(&self.positions, &self.triangles);
-        StayingPart { faces: self.faces.clone(), area: self.area(), error, at }
+        StayingPart { faces: self.faces.clone(), area: self.area(), error, at: self.middle() }
+    }
+
+    /// The mean of the corners of the triangles.
+    pub(in crate::quads) fn middle(&self) -> Vec3<f64> {
+        middle(&self.positions, &self.triangles)
     }
 
     /// The area, in the squared unit of the mesh.

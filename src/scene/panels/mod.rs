@@ -11,6 +11,6 @@ mod request;
 pub use forecast::{Forecast, ForecastOfKind, HowFar};
 pub(crate) use request::all_faces;
 pub use request::{
-    MeshSuggestion, PanelOffer, offers_new_panels, panel_adjective, panel_offers, panel_suggestion,
-    problem_suggestion,
+    MeshSuggestion, PanelOffer, is_mostly_triangles, offers_new_panels, panel_adjective,
+    panel_offers, panel_suggestion, problem_suggestion,
 };

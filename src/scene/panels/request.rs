@@ -38,6 +38,12 @@ pub(super) fn is_of_triangles(mesh: &Mesh) -> bool {
     mesh.faces.iter().all(|face| face.len() <= 3)
 }
 
+/// Whether more than half of the faces are triangles: a surface that was drawn or scanned, and not laid
+/// out in panels, even if a program has joined some of them.
+pub fn is_mostly_triangles(mesh: &Mesh) -> bool {
+    2 * mesh.faces.iter().filter(|face| face.len() <= 3).count() > mesh.faces.len()
+}
+
 /// Returns the reason why the kind does not apply to `mesh`, if so.
 fn against(info: &Info, adjective: &str, mesh: &Mesh) -> Option<String> {
     if mesh.faces.is_empty() {
@@ -169,10 +175,11 @@ const FEWEST: usize = 10;
 /// Faces that meet at a smaller mean angle are a flat plate, in degrees.
 const FLAT: f64 = 0.01;
 
-/// Whether new panels along the lines of curvature are offered for a mesh: one of triangles, on which
-/// no panels can be asked for, that is curved.
+/// Whether new panels along the lines of curvature are offered for a mesh: one mostly of triangles, on
+/// which no panels can be asked for, that is curved.
 pub fn offers_new_panels(mesh: &Mesh, topology: &Topology) -> bool {
-    let is_surface = mesh.tets.is_empty() && mesh.faces.len() >= FEWEST && is_of_triangles(mesh);
+    let is_surface =
+        mesh.tets.is_empty() && mesh.faces.len() >= FEWEST && is_mostly_triangles(mesh);
     is_surface && mean_dihedral_angle(mesh, topology, &mesh.positions) > FLAT
 }
 

@@ -1,6 +1,7 @@
 //! One layout of new panels: its forecast, what is said of it, and the lines that show it.
 
 use super::places::MarkedPlace;
+use crate::math::marked;
 use crate::mesh::{Mesh, Point, Surface, Topology};
 use crate::quads::{Boundary, Remeshed};
 use crate::scene::{Forecast, HowFar};
@@ -60,7 +61,7 @@ pub struct BoundaryForecast {
 
 /// A layout with its forecast.
 pub(super) struct Layout {
-    remeshed: Remeshed,
+    pub(super) remeshed: Remeshed,
     topology: Topology,
     forecast: Option<Forecast>,
     boundary: Boundary,
@@ -74,10 +75,21 @@ impl Layout {
         Layout { remeshed, topology, forecast, boundary }
     }
 
+    /// What the panels do at the boundary; none if they have none.
+    pub(super) fn at_boundary(&self) -> Option<Boundary> {
+        (self.remeshed.measures.loops > 0).then_some(self.boundary)
+    }
+
     /// Whether panels will hardly move to become circular or flat.
     pub(super) fn hardly_moves(&self) -> bool {
         let kinds = self.forecast.iter().flat_map(|forecast| &forecast.kinds);
         kinds.into_iter().all(|kind| matches!(kind.how_far, HowFar::Nothing | HowFar::Hardly))
+    }
+
+    /// Whether the panels do not have the shape of every kind already.
+    fn is_moved(&self) -> bool {
+        let mut kinds = self.forecast.iter().flat_map(|forecast| &forecast.kinds);
+        kinds.any(|kind| kind.how_far != HowFar::Nothing)
     }
 
     /// The largest mean move of the kinds of panels, in the unit of the mesh.
@@ -87,12 +99,13 @@ impl Layout {
     }
 
     /// The layout as hosts see it, on its shape without faces that are left out, and the surface of this;
-    /// `units` is the symbol of the unit, and `kept` the number of faces that were to stay.
+    /// `units` is the symbol of the unit, `kept` the number of faces that were to stay, and `said` what is
+    /// said of the choice at the boundary.
     pub(super) fn shown(
         &self,
         (shape, surface): &(Mesh, Surface),
         units: &str,
-        kept: usize,
+        (kept, said): (usize, Option<String>),
     ) -> PanelLayout {
         let size = self.remeshed.measures.edge.mean;
         let mut rings = Vec::new();
@@ -104,6 +117,7 @@ impl Layout {
             let places = places.into_iter().map(|place| place.around).collect();
             notes.push(LayoutNote { words: format!("{}.", note.words), places });
         }
+        notes.extend(said.map(|said| LayoutNote { words: format!("{said}."), places: Vec::new() }));
         if kept > 0 {
             let faces = words::count(kept, "selected face stays", "selected faces stay");
             let words = format!("{faces}, and the panels share no corners with what stays.");
@@ -111,7 +125,7 @@ impl Layout {
         }
         let (lines, irregular) = self.lines(surface);
         PanelLayout {
-            boundary: (!self.topology.boundary_loops().is_empty()).then_some(self.boundary),
+            boundary: self.at_boundary(),
             count: self.count(),
             size: words::rounded(size, 2),
             mesh: self.remeshed.mesh.clone(),
@@ -127,17 +141,22 @@ impl Layout {
         self.remeshed.measures.quads + self.remeshed.measures.other_faces
     }
 
-    /// What this choice at the boundary comes to: "483 panels, will move about 20 mm", or "will not
-    /// move" if they have the shape of every kind already.
+    /// What this choice at the boundary comes to: "483 panels, will move about 20 mm off the surface".
     pub(super) fn forecast(&self, units: &str) -> BoundaryForecast {
         let count = words::count(self.count(), "panel", "panels");
-        let mut kinds = self.forecast.iter().flat_map(|forecast| &forecast.kinds);
-        let moves = match kinds.any(|kind| kind.how_far != HowFar::Nothing) {
-            true => format!("move about {}", words::rough_length(self.move_length(), units)),
-            false => "not move".to_owned(),
-        };
-        let words = format!("{count}, will {moves}");
+        let words = format!("{count}, will {}", self.moves(units));
         BoundaryForecast { boundary: self.boundary, words }
+    }
+
+    /// "move about 20 mm off the surface", or "not move" if the panels have the shape of every kind already.
+    pub(super) fn moves(&self, units: &str) -> String {
+        match self.is_moved() {
+            true => {
+                let far = words::rough_length(self.move_length(), units);
+                format!("move about {far} off the surface")
+            }
+            false => "not move".to_owned(),
+        }
     }
 
     /// "490 panels, 12 irregular points, edges 6° off the lines of curvature." and the forecast.
@@ -156,7 +175,10 @@ impl Layout {
         }));
         let mut said = format!("{}.", parts.join(", "));
         if let Some(forecast) = &self.forecast {
-            said += &format!(" The mesh will then {}.", forecast.moves(units));
+            // The panels will be kept close to the surface, along which they glide for nothing: how far
+            // they leave it is as forecast, and their whole way two or three times that.
+            let besides = if self.is_moved() { ", besides gliding along the surface" } else { "" };
+            said += &format!(" The mesh will then {}{besides}.", forecast.moves(units));
         }
         said
     }
@@ -164,16 +186,8 @@ impl Layout {
     /// Lines over the surface along the edges, those at irregular vertices first, and their number.
     fn lines(&self, surface: &Surface) -> (Vec<Vec<Point>>, usize) {
         let Layout { topology, remeshed, .. } = self;
-        let mut is_irregular: Vec<bool> =
-            topology.neighbours().iter().map(|near| near.len() != 4).collect();
-        for &v in topology.boundary_loops().indices() {
-            is_irregular[v as usize] = false;
-        }
-        // What stays as it is has no irregular points.
-        let faces = &remeshed.mesh.faces;
-        for face in faces.iter().skip(faces.len() - remeshed.staying) {
-            face.iter().for_each(|&v| is_irregular[v as usize] = false);
-        }
+        let is_irregular =
+            marked(remeshed.mesh.positions.len(), remeshed.irregular.iter().copied());
         let at = |v: u32| remeshed.mesh.positions[v as usize];
         let line = |&[a, b]: &[u32; 2]| {
             let mut hint = Surface::NO_HINT;

@@ -4,13 +4,16 @@ use super::layout::Layout;
 use super::{BoundaryForecast, LayoutSettings, MarkedPlace, PanelLayout};
 use crate::math::Vec3;
 use crate::mesh::{Mesh, Surface, Topology};
-use crate::quads::{Boundary, MapOptions, RemeshError, RemeshObserver, Remesher};
+use crate::quads::{
+    Boundary, MapOptions, RemeshError, RemeshNote, RemeshObserver, Remeshed, Remesher,
+};
 use crate::scene::SceneError;
 use std::cell::OnceCell;
 use std::rc::Rc;
 
-/// Panels are cut at the boundary without a wish if they then move at most this fraction as far.
-const CUT_MOVES: f64 = 0.5;
+/// Panels are cut at the boundary without a wish if they then move less than this fraction as far: a
+/// forecast is within a third of the move, and whole panels are easier to build.
+const CUT_MOVES: f64 = 2.0 / 3.0;
 
 /// Radius of the ring around the place of a refusal, relative to the size of the shape.
 const RING: f64 = 0.03;
@@ -33,9 +36,42 @@ pub struct PanelLayouts {
     refused_at: Option<Vec3<f64>>,
 }
 
+/// The better choice at the boundary, and what the other one came to.
+struct Best {
+    layout: Rc<Layout>,
+    /// None if it was not asked for.
+    other: Option<Result<Rc<Layout>, RemeshError>>,
+}
+
+impl Best {
+    /// Says which choice was taken at the boundary, and what the other one comes to; none if one was
+    /// wished for, or nearly nothing moves.
+    fn words(&self, units: &str) -> Option<String> {
+        let is_cut = self.layout.at_boundary() == Some(Boundary::Cut);
+        Some(match (self.other.as_ref()?, is_cut) {
+            (Ok(other), true) => {
+                let moves = other.moves(units);
+                format!("The panels are cut at the boundary: along it, they would {moves}")
+            }
+            (Ok(other), false) => {
+                let moves = other.moves(units);
+                format!("The panels follow the boundary: cut at it, they would {moves}")
+            }
+            (Err(error), true) => {
+                let why = error.words(units);
+                format!("The panels are cut at the boundary, since they cannot follow it: {why}")
+            }
+            (Err(error), false) => {
+                let why = error.words(units);
+                format!("The panels follow the boundary, since they cannot be cut at it: {why}")
+            }
+        })
+    }
+}
+
 impl PanelLayouts {
     /// Layouts on a shape beside some of its faces; `units` is the symbol of its unit.
-    pub(super) fn new(shape: Mesh, units: &str, kept: &[u32]) -> PanelLayouts {
+    pub fn new(shape: Mesh, units: &str, kept: &[u32]) -> PanelLayouts {
         // Faces that stay, or are left out, leave openings.
         let covered = shape.without_faces(&[kept, &shape.faces_left_out(kept)].concat());
         let has_boundary = !Topology::new(&covered).boundary_loops().is_empty();
@@ -49,6 +85,11 @@ impl PanelLayouts {
             last: Vec::new(),
             refused_at: None,
         }
+    }
+
+    /// The shape.
+    pub fn shape(&self) -> &Mesh {
+        &self.shape
     }
 
     /// The faces that stay as they are.
@@ -67,11 +108,31 @@ impl PanelLayouts {
         observer: &mut RemeshObserver<'_>,
     ) -> Result<PanelLayout, SceneError> {
         self.refused_at = None;
-        let layout = self.best(settings, observer).map_err(|error| {
+        let options = settings.options(&self.shape);
+        let best = self.best(&options, settings.boundary, observer).map_err(|error| {
             self.refused_at = error.place();
             SceneError { path: String::new(), message: error.words(&self.units) }
         })?;
-        Ok(layout.shown(self.shown(), &self.units, self.kept.len()))
+        let said = best.words(&self.units);
+        Ok(best.layout.shown(self.shown(), &self.units, (self.kept.len(), said)))
+    }
+
+    /// The panels of such a layout, for hosts that write them, and what they do at the boundary; none if
+    /// the surface is closed. The better choice is taken there unless one is `wished`, and noted.
+    ///
+    /// # Errors
+    /// If panels of this size cannot cover the surface.
+    pub fn remesh(
+        &mut self,
+        options: &MapOptions,
+        wished: Option<Boundary>,
+        observer: &mut RemeshObserver<'_>,
+    ) -> Result<(Remeshed, Option<Boundary>), RemeshError> {
+        let best = self.best(options, wished, observer)?;
+        let mut remeshed = best.layout.remeshed.clone();
+        let said = best.words(&self.units);
+        remeshed.notes.extend(said.map(|words| RemeshNote { words, places: Vec::new() }));
+        Ok((remeshed, best.layout.at_boundary()))
     }
 
     /// What the panels come to with each choice at the boundary; empty if the surface to be
@@ -84,7 +145,8 @@ impl PanelLayouts {
         if !self.has_boundary {
             return Vec::new();
         }
-        let of = |boundary| match self.layout(settings, boundary, observer) {
+        let options = settings.options(&self.shape);
+        let of = |boundary| match self.layout(&options, boundary, observer) {
             Ok(layout) => layout.forecast(&self.units),
             Err(_) => BoundaryForecast { boundary, words: "not possible".to_owned() },
         };
@@ -106,32 +168,39 @@ impl PanelLayouts {
         })
     }
 
-    /// The layout that moves less of those with the wished choices at the boundary.
+    /// The layout with the wished choice at the boundary; without a wish, that with the better one, or
+    /// the only possible one.
     fn best(
         &mut self,
-        settings: &LayoutSettings,
+        options: &MapOptions,
+        wished: Option<Boundary>,
         observer: &mut RemeshObserver<'_>,
-    ) -> Result<Rc<Layout>, RemeshError> {
-        let wished = settings.boundary.unwrap_or(Boundary::Followed);
-        let layout = self.layout(settings, wished, observer)?;
-        if settings.boundary.is_some() || !self.has_boundary || layout.hardly_moves() {
-            return Ok(layout);
+    ) -> Result<Best, RemeshError> {
+        let first = self.layout(options, wished.unwrap_or_default(), observer);
+        let has_none = |layout: &Layout| layout.at_boundary().is_none();
+        let is_enough =
+            first.as_ref().is_ok_and(|layout| has_none(layout) || layout.hardly_moves());
+        if wished.is_some() || !self.has_boundary || is_enough {
+            return Ok(Best { layout: first?, other: None });
         }
-        // Panels that are cut may move less. What cannot be cut stays followed.
-        match self.layout(settings, Boundary::Cut, observer) {
-            Ok(cut) if cut.move_length() <= CUT_MOVES * layout.move_length() => Ok(cut),
-            _ => Ok(layout),
+        match (first, self.layout(options, Boundary::Cut, observer)) {
+            (Err(error), Err(_)) => Err(error),
+            (Ok(layout), Ok(cut)) if cut.move_length() < CUT_MOVES * layout.move_length() => {
+                Ok(Best { layout: cut, other: Some(Ok(layout)) })
+            }
+            (Ok(layout), cut) => Ok(Best { layout, other: Some(cut) }),
+            (followed, Ok(layout)) => Ok(Best { layout, other: Some(followed) }),
         }
     }
 
     /// The layout with this choice at the boundary: the last one, if it was asked for the same.
     fn layout(
         &mut self,
-        settings: &LayoutSettings,
+        options: &MapOptions,
         boundary: Boundary,
         observer: &mut RemeshObserver<'_>,
     ) -> Result<Rc<Layout>, RemeshError> {
-        let options = settings.options(&self.shape, boundary);
+        let options = MapOptions { boundary, ..*options };
         if let Some((_, layout)) = self.last.iter().find(|(asked, _)| *asked == options) {
             return Ok(Rc::clone(layout));
         }

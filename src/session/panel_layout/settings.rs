@@ -2,9 +2,10 @@
 
 use crate::mesh::Mesh;
 use crate::quads::{Boundary, MapOptions, PanelSize, direction_weight, follow_weight};
+use crate::scene::is_mostly_triangles;
 use serde::Deserialize;
 
-/// The number of panels of a mesh of triangles without a wish: half its triangles, within these.
+/// The number of panels of a mesh mostly of triangles without a wish: half its faces, within these.
 const PANELS: [usize; 2] = [60, 500];
 /// The same of other meshes, whose faces are panels.
 const FACES: [usize; 2] = [60, 2000];
@@ -30,8 +31,8 @@ pub struct LayoutSettings {
 }
 
 impl LayoutSettings {
-    /// The settings of the map of `mesh` with this choice at the boundary.
-    pub(super) fn options(&self, mesh: &Mesh, boundary: Boundary) -> MapOptions {
+    /// The settings of the map of `mesh`, but for the choice at the boundary.
+    pub(super) fn options(&self, mesh: &Mesh) -> MapOptions {
         let size = match (self.size, self.count) {
             (Some(length), _) => PanelSize::Length(length),
             (None, Some(count)) => PanelSize::Count(count),
@@ -40,7 +41,6 @@ impl LayoutSettings {
         MapOptions {
             follow: follow_weight(self.follow),
             direction: direction_weight(self.even),
-            boundary,
             ..MapOptions::of_size(size)
         }
     }
@@ -49,7 +49,7 @@ impl LayoutSettings {
 /// The number of panels that suits a mesh.
 fn usual_count(mesh: &Mesh) -> usize {
     let faces = mesh.faces.len();
-    match mesh.faces.iter().all(|face| face.len() == 3) {
+    match is_mostly_triangles(mesh) {
         true => (faces / 2).clamp(PANELS[0], PANELS[1]),
         false => faces.clamp(FACES[0], FACES[1]),
     }

@@ -2,7 +2,8 @@
 
 import type { Page } from '@playwright/test';
 import { hidePanels, openText, showStep, tool } from '../actions.ts';
-import { vault, wavyGrid } from '../meshes.ts';
+import { barrel, vault, wavyGrid } from '../meshes.ts';
+import { openParts, partsPanel } from '../sheets.ts';
 import { expect, openPage, screenOf, settled, state, test, waitForState } from '../support.ts';
 
 test.use({ sameDocument: true });
@@ -46,6 +47,12 @@ test('a roof of triangles gets panels along its lines of curvature, which become
   await expect(offer(page)).toContainText(
     /All \d+ panels are circular within .* They stay within .* of the surface that they were laid out on\./,
   );
+  // They are on sheets, one part for each.
+  const build = await openParts(page);
+  expect(build.panels).toBe(solved.faces);
+  expect(build.sheets).toBeGreaterThan(0);
+  await expect(partsPanel(page).getByRole('img')).toHaveCount(build.sheets);
+  await page.getByRole('application', { name: '3D view' }).focus();
 
   // One step each: the circles, then the panels.
   await page.keyboard.press('Control+z');
@@ -184,6 +191,65 @@ test('selected faces stay as they are, if that is asked', async ({ page }) => {
   await expect(card(page)).toBeHidden();
   const scene = await waitForState(page, (now) => now.vertices !== 81);
   expect(scene.faces).toBeGreaterThan(40);
+});
+
+test('panels are laid out anew while a slider is dragged', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'vault.obj', vault(N), VERTICES);
+  await offer(page).getByRole('button', { name: 'New panels along the curvature' }).click();
+  for (const [low, high] of [
+    ['Fewer irregular points', 'moves less'],
+    ['Small panels where it curves', 'even sizes'],
+  ]) {
+    const slider = card(page).getByRole('slider', { name: `${low} to ${high}` });
+    const said = card(page).getByText(SENTENCE);
+    await expect(said).toBeVisible();
+    const before = await said.textContent();
+    const { x, y, width, height } = (await slider.boundingBox())!;
+    const at = async (share: number) => {
+      await page.mouse.move(x + share * width, y + height / 2, { steps: 4 });
+    };
+    await at(Number(await slider.inputValue()));
+    await page.mouse.down();
+    await at(low.startsWith('Fewer') ? 0.01 : 0.99);
+    // The button is still down.
+    await expect(said).not.toHaveText(before ?? '');
+    await expect(use(page)).toBeEnabled();
+    await page.mouse.up();
+  }
+});
+
+test('new panels are the blue button where edges are off the lines of curvature', async ({
+  page,
+}) => {
+  await openPage(page);
+  await openText(page, 'barrel.obj', barrel(12, 15), 169);
+  const newPanels = offer(page).getByRole('button', { name: 'New panels along the curvature' });
+  const accent = await page.evaluate(() => {
+    const probe = document.body.appendChild(document.createElement('i'));
+    probe.style.setProperty('color', 'var(--accent)');
+    const { color } = getComputedStyle(probe);
+    probe.remove();
+    return color;
+  });
+  await expect(newPanels).toHaveCSS('background-color', accent);
+  const circular = offer(page).getByRole('button', { name: 'Make panels circular' });
+  await expect(circular).not.toHaveCSS('background-color', accent);
+  // Along the lines of curvature they are not offered.
+  await openText(page, 'along.obj', barrel(12, 0), 169);
+  await expect(offer(page).getByText(/^This mesh will not move/)).toBeVisible();
+  await expect(newPanels).toBeHidden();
+});
+
+test('the dialog for changes of the mesh leads to new panels', async ({ page }) => {
+  await openPage(page);
+  await openText(page, 'grid.obj', wavyGrid(6), 49);
+  await showStep(page, 'Shape');
+  await page.getByRole('button', { name: 'Edit mesh', exact: true }).click();
+  const dialog = page.getByRole('dialog', { name: 'Edit mesh' });
+  await dialog.getByRole('button', { name: 'New panels' }).click();
+  await expect(dialog).toBeHidden();
+  await expect(use(page)).toBeEnabled();
 });
 
 test('new panels are not offered on a flat plate', async ({ page }) => {

@@ -3,6 +3,7 @@
 import './refine.css';
 import { useState } from 'preact/hooks';
 import { refusalOf } from '../../solver/errors.ts';
+import { CommandButton } from '../../store/command-button.tsx';
 import { showDialog, type InDialog } from '../../store/show-dialog.tsx';
 import { useAnswerTo } from '../../store/use-answer.ts';
 import { useApp } from '../../store/use-app.ts';
@@ -111,6 +112,9 @@ function EditDialog({
         <Button class="primary" disabled={!isReady} onClick={apply}>
           Apply
         </Button>
+        <CommandButton of="new-panels" onClick={close}>
+          New panels
+        </CommandButton>
       </div>
     </div>
   );

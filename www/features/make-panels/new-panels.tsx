@@ -21,7 +21,7 @@ const BOUNDARIES: [BoundaryForecast['boundary'], string, string][] = [
   ['follow', 'Panels follow it', 'Followed'],
   ['cut', 'Panels are cut at it', 'Cut'],
 ];
-/** Followed, unless cut panels move half as far or less. */
+/** Followed, unless cut panels move less by more than the forecast may be wrong. */
 const AUTOMATIC = 'Automatic';
 
 export function NewPanels() {
