@@ -88,7 +88,7 @@ impl Ended {
         assert_eq!((self.code, self.out.as_str()), (Some(2), ""), "{self:?}");
         let first = self.err.lines().next().unwrap();
         assert!(first.contains(word), "expected `{word}` in {first:?}");
-        assert!(self.err.lines().count() == 2 && self.err.contains("shape-up --help"), "{self:?}");
+        assert!(self.err.lines().count() == 3 && self.err.contains("shape-up --help"), "{self:?}");
     }
 }
 

@@ -65,7 +65,7 @@ pub(crate) fn run(arguments: Vec<OsString>) -> ExitCode {
             ExitCode::from(1)
         }
         Err(Failure::Usage(message)) => {
-            eprintln!("shape-up: {}\nshape-up --help lists what it takes", one_line(&message));
+            eprintln!("shape-up: {}\n\nshape-up --help lists what it takes", one_line(&message));
             ExitCode::from(2)
         }
     }
