@@ -96,4 +96,4 @@ pub use report_page::ReportView;
 pub use space::{PRESENTATION, SpatialPart};
 pub use strips::CoverStrip;
 pub use surface::{Edge, PanelSurface};
-pub use tighten::{PanelSuggestion, SettingChange, SettingValue, Tighten};
+pub use tighten::{PanelSuggestion, Tighten};

@@ -1,5 +1,6 @@
 //! Suggestions for numbers of the build check that exceed their limits: constraints for the solver.
 
+use super::advice::{AdvisedValue, SettingValue};
 use super::build::{Build, allowed};
 use super::check_card::CheckRow;
 use super::offset::{Closing, Closings, Reason};
@@ -25,29 +26,6 @@ pub struct PanelSuggestion {
     pub within: f64,
 }
 
-/// A value of a setting of Build, and the name of a button that sets it.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub struct SettingChange {
-    /// The name of the button.
-    pub label: String,
-    /// The setting, by its id among those of Build.
-    pub setting: &'static str,
-    /// The value, in the unit of the setting.
-    pub value: SettingValue,
-}
-
-/// The value of a setting.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(untagged)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum SettingValue {
-    /// A number.
-    Number(f64),
-    /// A choice.
-    Word(&'static str),
-}
-
 /// The suggestions.
 #[derive(Clone, Debug, Default, PartialEq, Serialize)]
 #[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
@@ -58,7 +36,7 @@ pub struct Tighten {
     pub otherwise: String,
     /// What `otherwise` advises to set, if it does.
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub change: Option<SettingChange>,
+    pub change: Option<AdvisedValue>,
 }
 
 impl Build {
@@ -98,10 +76,10 @@ impl Build {
             let has_openings = closings.parts.iter().any(|own| own.has_openings);
             match others && all_turned && !has_openings {
                 true => {
-                    change = Some(SettingChange {
+                    change = Some(AdvisedValue {
                         label: "Measured at corners".to_owned(),
                         setting: "kind",
-                        value: SettingValue::Word("corner"),
+                        value: Some(SettingValue::Word("corner")),
                     });
                     "Set “Measured at” to “Corners”: circular panels then make the offset exact."
                 }
@@ -134,21 +112,21 @@ impl Build {
     }
 
     /// A distance at which no edge of the offset flips; none if no distance on this side is known.
-    fn safe_distance(&self) -> Option<SettingChange> {
+    fn safe_distance(&self) -> Option<AdvisedValue> {
         let (_, check) = self.offset.as_ref()?;
         let safe = check.safe_distance[usize::from(self.distance() > 0.0)]?;
         let value: f64 = format!("{:.1e}", SAFE_PART * safe).parse().ok()?;
         let label = format!("Distance {}", words::brief(value));
-        Some(SettingChange { label, setting: "distance", value: SettingValue::Number(value) })
+        Some(AdvisedValue { label, setting: "distance", value: Some(SettingValue::Number(value)) })
     }
 
     /// More upright axes; none if their weight is the largest already.
-    fn more_upright(&self) -> Option<SettingChange> {
+    fn more_upright(&self) -> Option<AdvisedValue> {
         let value = (MORE * self.settings.follow).min(1.0);
-        (value > self.settings.follow).then(|| SettingChange {
+        (value > self.settings.follow).then(|| AdvisedValue {
             label: "More upright axes".to_owned(),
             setting: "follow",
-            value: SettingValue::Number(value),
+            value: Some(SettingValue::Number(value)),
         })
     }
 }

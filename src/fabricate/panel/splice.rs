@@ -284,7 +284,7 @@ mod tests {
             assert!(more.abs() < 5.0 * kerf * kerf + 1e-6, "{more}");
             for SplicePlate { pieces: own, axis, corners: [low, high], .. } in &plates {
                 for at in [*low, *high, [low[0], high[1]], [high[0], low[1]]] {
-                    assert!(crate::math::plane::is_inside(&outline, at), "{at:?}");
+                    assert!(is_inside(&outline, at), "{at:?}");
                 }
                 assert!((high[*axis] - low[*axis] - 12.0).abs() < 1e-9);
                 // Each of the two names the other at one side.

@@ -357,8 +357,16 @@ mod tests {
         // Equally wide, with or without room for a larger name in the middle.
         for (high, is_underlined) in [(14.0, false), (11.5, true)] {
             let outline = &[[0.0, 0.0], [8.0, 0.0], [8.0, high], [0.0, high]][..];
-            let own =
-                Inscription { outline, name, neighbours, is_oriented: false, arrow, turn, holes };
+            let own = Inscription {
+                outline,
+                name,
+                neighbours,
+                bevels: &[],
+                is_oriented: false,
+                arrow,
+                turn,
+                holes,
+            };
             let found = label(own);
             assert_eq!((found.dropped, found.small, found.texts.len()), (0, false, 3));
             let below = |line: &&Vec<Point2>| {
@@ -414,8 +422,16 @@ mod tests {
         let neighbours = [None, Some("N12".to_owned()), None, Some("N7".to_owned())];
         let (name, arrow, turn) = ("B7-12", Some([0.0, -1.0]), AS_IT_IS);
         let (outline, neighbours, holes) = (&outline[..], &neighbours[..], &[][..]);
-        let found =
-            label(Inscription { outline, name, neighbours, is_oriented: true, arrow, turn, holes });
+        let found = label(Inscription {
+            outline,
+            name,
+            neighbours,
+            bevels: &[],
+            is_oriented: true,
+            arrow,
+            turn,
+            holes,
+        });
         assert_eq!((found.dropped, found.small), (0, false));
         assert_eq!(found.texts, ["B7-12", "N12", "N7"]);
     }
@@ -455,8 +471,16 @@ mod tests {
                     let (neighbours, holes, turn) = (&[][..], &[][..], AS_IT_IS);
                     let (outline, name) = (&outline[..], "P1");
                     let is_oriented = false;
-                    let own =
-                        Inscription { outline, name, neighbours, is_oriented, arrow, turn, holes };
+                    let own = Inscription {
+                        outline,
+                        name,
+                        neighbours,
+                        bevels: &[],
+                        is_oriented,
+                        arrow,
+                        turn,
+                        holes,
+                    };
                     label(own).lines
                 };
                 let (without, with) = (own(None), own(Some(way)));

@@ -20,7 +20,7 @@ use crate::scene::{
 use serde_json::Value;
 
 /// The names of the files of all tables of all products.
-pub(super) const NAMES: [&str; 14] = [
+pub(super) const NAMES: [&str; 15] = [
     "panels.csv",
     "types.csv",
     "splices.csv",

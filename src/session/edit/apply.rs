@@ -228,7 +228,7 @@ pub(crate) fn apply(edit: Edit, draft: &mut Draft<'_>) -> Result<String, SceneEr
         Edit::SetBuild { values } => {
             let own = draft.document.build.clone().unwrap_or_default();
             draft.document.build = Some(Box::new(own.with_all(values)?));
-            draft.document.check_build(draft.mesh)?;
+            draft.document.check_build(draft.rest.mesh())?;
             "Change build settings".to_owned()
         }
         Edit::SetSteps { steps } => set_steps(steps, draft)?,
