@@ -439,6 +439,11 @@ export const walks: Record<string, State[]> = {
       reach: async (page) => {
         await open(page);
         await expect(page.getByRole('dialog', { name: dialog })).toBeVisible();
+        // To its end, where nothing is below what stays in sight.
+        await page.evaluate(() => {
+          for (const one of document.querySelectorAll('dialog[open], dialog[open] *'))
+            one.scrollTop = one.scrollHeight;
+        });
       },
       leave: async (page) => {
         await escape(page);

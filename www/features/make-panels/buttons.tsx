@@ -22,8 +22,10 @@ const REASON = 'make-panels-reason';
 /** The buttons in the step, where they are unless the card over the view has them. */
 export function PanelsInStep() {
   const { state } = useApp().store;
-  const isShown = offersPanels(state) && panelsCard(state) !== 'offer';
-  const next = isShown && state.corner !== 'new-panels' ? nextStep(state) : null;
+  const card = panelsCard(state);
+  const isShown = offersPanels(state) && card !== 'offer';
+  // A verdict in the view has the next step.
+  const next = card || state.corner === 'new-panels' ? null : nextStep(state);
   const changesMesh = next === 'shape' || next === 'change';
   // Constraints that are only weighed can be beyond the tolerance, which one press meets.
   const isNext = changesMesh || next === 'choose';

@@ -1,6 +1,6 @@
 /** Tooltips for touch and keyboard: a long press or the focus on a control shows its title. */
 
-import { element } from '../dom.ts';
+import { byId, element } from '../dom.ts';
 
 /** How long a finger or the focus must rest, in milliseconds. */
 const REST_MS = 500;
@@ -9,7 +9,8 @@ const WITH_TOOLTIP = 'button[title], label[title]';
 
 export function tooltips() {
   const tip = element('div', { id: 'tooltip', role: 'tooltip', popover: 'manual' });
-  document.body.append(tip);
+  // Within a landmark, as all that is read.
+  byId('main').append(tip);
   let timer = 0;
 
   function show(control: HTMLElement) {
