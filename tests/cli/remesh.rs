@@ -22,6 +22,7 @@ fn a_tube_of_triangles_becomes_quads_along_its_lines_of_curvature() {
     let report = folder.json("r.json");
     let expected = [
         "angle",
+        "boundary",
         "distance",
         "edge",
         "euler",
@@ -83,6 +84,29 @@ fn size_and_boundary_are_as_asked() {
     let cut = report(&["--size=0.4", "--boundary", "cut", "--follow", "0.3", "--even", "1"]);
     assert_eq!((&cut["euler"], &cut["loops"]), (&0.into(), &2.into()));
     report(&["--quads", "150", "--crease", "180", "--boundary=follow"]);
+}
+
+/// It was followed unless one said otherwise, and nothing was said of the other choice.
+#[test]
+fn the_better_choice_at_the_boundary_is_taken_and_said() {
+    let folder = Folder::new("remesh-boundary");
+    let hypar = crate::quads::hypar();
+    folder.write("hypar.obj", write_obj(&hypar, &hypar.positions)).write("tube.obj", tube());
+    let made = |mesh: &str, options: &[&str]| {
+        let asked = [&["remesh", mesh, "--quads", "200", "--report", "r.json"], options].concat();
+        (folder.run(&asked).done(), folder.json("r.json"))
+    };
+    let (said, report) = made("hypar.obj", &[]);
+    assert_eq!(report["boundary"], "cut");
+    let words = "note: The panels are cut at the boundary: along it, they would move about ";
+    assert!(said.contains(words), "{said}");
+    let (said, report) = made("hypar.obj", &["--boundary", "follow"]);
+    assert_eq!(report["boundary"], "follow");
+    assert!(!said.contains("note: "), "{said}");
+    // What hardly moves follows it.
+    let (said, report) = made("tube.obj", &[]);
+    assert_eq!(report["boundary"], "follow");
+    assert!(!said.contains("note: "), "{said}");
 }
 
 #[test]

@@ -76,6 +76,30 @@ fn a_cut_boundary_has_panels_of_three_to_five_corners_nearer_to_the_lines_of_cur
 }
 
 #[test]
+fn a_cut_boundary_keeps_its_holes() {
+    // A canopy over a square with a square opening, and one with a round one.
+    let canopy = |point: &mut Point| point[2] = 0.05 * point[0] * point[1];
+    let mut square = plate();
+    square.positions.iter_mut().for_each(canopy);
+    let mut round = parametric([48, 10], [true, false], |u, v| {
+        let radius = 1.2 + 2.8 * v;
+        [radius * cosine(u), radius * sine(u), 0.0]
+    });
+    round.positions.iter_mut().for_each(canopy);
+    for mesh in [square, round] {
+        let options =
+            MapOptions { boundary: Boundary::Cut, ..MapOptions::of_size(PanelSize::Count(250)) };
+        let cut = with(&mesh, options).unwrap();
+        check_manifold(&cut.mesh);
+        assert_eq!(shape(&cut.mesh), shape(&mesh));
+        assert_eq!((cut.measures.loops, cut.notes.len()), (2, 0), "{:?}", cut.notes);
+        assert!(off_boundary(&cut.mesh, &mesh) < 1e-9);
+        // Each opening keeps its outline: no part of it is bridged.
+        assert!(cut.measures.distance.from_input < 0.3 * cut.measures.edge.mean);
+    }
+}
+
+#[test]
 fn a_zigzag_boundary_is_followed_as_if_it_were_smooth() {
     // A disk whose rim goes in and out at every vertex, by a tenth of the edge there.
     let disk = parametric([48, 8], [true, false], |u, v| {

@@ -10,7 +10,7 @@ mod parts;
 mod prepare;
 mod surfaces;
 
-pub(crate) use surfaces::tube;
+pub(crate) use surfaces::{hypar, parametric, tube};
 
 use shape_up::mesh::Mesh;
 use shape_up::quads::{MapOptions, PanelSize, RemeshError, Remeshed, remesh};

@@ -194,6 +194,25 @@ fn diagonal_quads_are_not_named_where_they_would_move_as_far() {
     assert_eq!(forecast(&vault(0.1)).suggestion(), None);
 }
 
+#[test]
+fn new_panels_are_recommended_where_edges_are_off_and_nothing_simpler_helps() {
+    // A barrel of quads whose edges are turned against its lines of curvature.
+    let barrel = |degrees: f64| {
+        let [c, s] = [math::cosine(degrees / 360.0), math::sine(degrees / 360.0)];
+        forecast(&grid(12, 12, |i, j| {
+            let [i, j] = [i, j].map(|k| f64::from(k) - 6.0);
+            let [x, y] = [c * i - s * j, s * i + c * j];
+            [x, y, -0.1 * x * x]
+        }))
+    };
+    let turned = barrel(15.0);
+    assert!(turned.recommends_new_panels(), "{turned:?}");
+    // Along the lines of curvature; and where diagonal quads are.
+    assert!(!barrel(0.0).recommends_new_panels());
+    let hypar = forecast(&hypar());
+    assert!(hypar.suggestion().is_some() && !hypar.recommends_new_panels());
+}
+
 /// Quad meshes of `../shared/meshes`.
 const MESHES: [&str; 9] = [
     "chebyshev_sphere.obj",

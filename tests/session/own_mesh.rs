@@ -7,7 +7,7 @@ use shape_up::scene::{
     ClosenessTo, ConstraintSpec, MeshSuggestion, Scene, UnitsAndUp, Up, offers_new_panels,
     panel_offers, panel_suggestion,
 };
-use shape_up::session::{Edit, PanelStart, Remeshing, Session};
+use shape_up::session::{Edit, LayoutSettings, PanelStart, Remeshing, Session};
 use shape_up::solve::Require;
 
 /// Largest and mean displacement, in per cent of the diagonal of the bounding box, and worst panel
@@ -199,6 +199,18 @@ fn new_panels_are_offered_for_curved_surfaces_of_triangles() {
     assert!(!of(0.3, 1), "two triangles");
     let quads = crate::support::grid::bumpy(8);
     assert!(!offers_new_panels(&quads, &Topology::new(&quads)), "these are panels");
+    // Faces of a surface that a program has joined in part: one quad took the offer away, and made as many
+    // panels as there are faces the suitable number.
+    let mut mesh = crate::quads::parametric([30, 30], [false, false], |u, v| [u, v, u * u]);
+    let joined = [0, 1, 32, 31];
+    let faces = mesh.faces.iter().filter(|face| !face.iter().all(|v| joined.contains(v)));
+    mesh.faces = faces.chain([&joined[..]]).collect();
+    assert_eq!(mesh.faces.len(), 1799);
+    assert!(offers_new_panels(&mesh, &Topology::new(&mesh)));
+    let session = Session::open(Scene::opened("own.obj"), mesh).unwrap();
+    let usual = LayoutSettings { count: None, size: None, follow: 0.5, even: 0.5, boundary: None };
+    let layout = session.panel_layouts(&[]).unwrap().lay_out(&usual, &mut |_| ()).unwrap();
+    assert!((450..550).contains(&layout.count), "{}", layout.count);
 }
 
 #[test]

@@ -12,13 +12,15 @@ const HALVINGS: usize = 30;
 /// Relative decrease at which it ends.
 const SMALL: f64 = 1e-5;
 
-/// Minimises from `x` in at most `steps` steps. `function` returns the value and sets the gradient.
+/// Minimises from `x` in at most `steps` steps. `function` returns the value and sets the gradient;
+/// returns how often it was called.
 pub(super) fn minimise(
     x: &mut [f64],
     steps: usize,
     mut function: impl FnMut(&[f64], &mut [f64]) -> f64,
-) {
+) -> usize {
     let n = x.len();
+    let mut calls = 1;
     let mut gradient = vec![0.0; n];
     let mut value = function(x, &mut gradient);
     let mut memory = LimitedMemory::of(MEMORY);
@@ -33,7 +35,7 @@ pub(super) fn minimise(
             slope = -inner_product(&gradient, &gradient);
         }
         if slope == 0.0 {
-            return;
+            break;
         }
         // Without memory the length of the gradient says nothing.
         let longest = direction.iter().fold(0.0f64, |most, d| most.max(d.abs()));
@@ -43,13 +45,14 @@ pub(super) fn minimise(
             for i in 0..n {
                 next[i] = x[i] + step * direction[i];
             }
+            calls += 1;
             let found = function(&next, &mut next_gradient);
             if found.is_finite() && found <= value + DECREASE * step * slope {
                 break found;
             }
             halvings += 1;
             if halvings > HALVINGS {
-                return;
+                return calls;
             }
             step *= 0.5;
         };
@@ -63,9 +66,10 @@ pub(super) fn minimise(
         gradient.copy_from_slice(&next_gradient);
         value = next_value;
         if decrease <= SMALL * value.abs() {
-            return;
+            break;
         }
     }
+    calls
 }
 
 #[cfg(test)]

@@ -2,6 +2,7 @@
 //! `reference/quads.md`): creases nearer to each other than a panel are dropped, and when triangles
 //! stay flipped at all scales, the field follows less of the curvature.
 
+use super::budget::Budget;
 use super::relaxed::{Attempt, Field, Found, Relaxed};
 use super::snap::snap;
 use crate::quads::field::{Frames, Steering};
@@ -77,7 +78,8 @@ impl GridMapper {
 
     /// Computes map after map, for the weights of curvature and of directions (see
     /// [`crate::quads::MapOptions`]) and about this number of quads: at each level at one scale after
-    /// another, as long as the visitor wants to see more. What was asked before changes nothing.
+    /// another, as long as the visitor wants to see more and the budget allows; at least one. What was
+    /// asked before changes nothing.
     ///
     /// # Errors
     /// If there are too many integer unknowns, or numbers are out of proportion.
@@ -89,12 +91,15 @@ impl GridMapper {
     ) -> Result<(), MapFault> {
         self.current = 0;
         let mut level = 0;
+        let mut budget = Budget::new(self.sets[0].prepared.surface.triangles.len());
         while level < LEVELS {
             let GridMapper { sets, frames, current } = self;
             let may_drop = *current < MOST_DROPS;
             let here = &mut sets[*current];
             here.relax(frames, level, [follow, direction], observer)?;
-            match here.round(frames, level, wanted, may_drop, observer, visit)? {
+            // What is kept counts too: what was asked before changes nothing.
+            budget.relax();
+            match here.round(frames, level, (wanted, may_drop), &mut budget, observer, visit)? {
                 Rounds::Enough => return Ok(()),
                 Rounds::Tried => level += 1,
                 Rounds::Creases(sides) => {
@@ -146,8 +151,8 @@ impl CreaseSet {
         &mut self,
         frames: &Frames,
         level: usize,
-        wanted: f64,
-        may_drop: bool,
+        (wanted, may_drop): (f64, bool),
+        budget: &mut Budget,
         observer: &mut RemeshObserver<'_>,
         visit: &mut MapVisitor<'_>,
     ) -> Result<Rounds, MapFault> {
@@ -156,7 +161,7 @@ impl CreaseSet {
         for factor in SCALES {
             observer(RemeshStage::Round);
             let mut at =
-                |factor| relaxed.round(prepared, frames, field, [wanted, factor], may_drop);
+                |factor| relaxed.round(prepared, frames, field, [wanted, factor], may_drop, budget);
             let mut best = match at(factor) {
                 Attempt::Map(found) => found,
                 Attempt::Creases(sides) => return Ok(Rounds::Creases(sides)),
@@ -182,7 +187,8 @@ impl CreaseSet {
                 dropped_creases: prepared.notes.dropped.len(),
             };
             observer(RemeshStage::Extract);
-            if !visit(prepared, map, notes) {
+            budget.judge();
+            if !visit(prepared, map, notes) || budget.is_spent() {
                 return Ok(Rounds::Enough);
             }
         }

@@ -12,9 +12,11 @@
 //! | `lbfgs` | minimisation of a smooth function |
 //! | `untangle` | flipped triangles turned back, patch by patch |
 //! | `snap` | fixed point |
+//! | `budget` | what the search may cost |
 //! | `relaxed` | a field with its seamless map and the maps rounded from it |
 //! | `levels` | all of it, with retries |
 
+mod budget;
 mod elimination;
 mod energy;
 mod integer;

@@ -1,6 +1,7 @@
 //! One field with its map: the seamless map, and the integer-grid maps of any scale that are rounded
 //! from it.
 
+use super::budget::Budget;
 use super::energy::Energy;
 use super::integer::{Integers, Rounded};
 use super::seamless::{Seamless, doubled_areas, seamless_map};
@@ -95,7 +96,7 @@ impl Relaxed {
     }
 
     /// Rounds at the scale for `wanted` quads times `factor`; anew with separations as long as points
-    /// or lines are rounded onto each other, then untangled. If creases are in the way, and may be dropped,
+    /// or lines are rounded onto each other and the budget allows, then untangled. If creases are in the way, and may be dropped,
     /// these are returned.
     pub(super) fn round(
         &mut self,
@@ -104,6 +105,7 @@ impl Relaxed {
         field: &Field,
         [wanted, factor]: [f64; 2],
         may_drop: bool,
+        budget: &mut Budget,
     ) -> Attempt {
         let seams = &field.seams;
         let scale = factor * (wanted / self.predicted).sqrt();
@@ -111,6 +113,7 @@ impl Relaxed {
         let mut given: Vec<Separation> = Vec::new();
         let mut stuck = 0;
         for rounding in 1.. {
+            budget.round();
             let integers = self.integers.round(scale, &given);
             let mut rounded = self.integers.solve(seams, &mut self.energy, scale, &integers);
             let more = separations(prepared, seams, &rounded.flipped(), &free, &rounded.values);
@@ -119,11 +122,12 @@ impl Relaxed {
                 return Attempt::Creases(creases);
             }
             stuck = if more.iter().all(|one| given.contains(one)) { stuck + 1 } else { 0 };
-            if more.is_empty() || stuck == STUCK || rounding == ROUNDINGS {
+            let is_last = stuck == STUCK || rounding == ROUNDINGS || budget.is_spent();
+            if more.is_empty() || is_last {
                 if !rounded.flipped().is_empty() {
                     let size = prepared.size / scale;
                     let untangling = Untangling::new(&prepared.surface, frames, seams, size);
-                    untangling.untangle(&mut rounded.values, &mut rounded.doubled);
+                    untangling.untangle(&mut rounded.values, &mut rounded.doubled, budget);
                 }
                 let quads = 0.5 * rounded.doubled.iter().sum::<f64>();
                 let flipped = rounded.flipped();

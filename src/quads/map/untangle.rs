@@ -9,6 +9,7 @@
 //! J is the Jacobian from the triangle, in panels, to the plane; eps falls as the least determinant
 //! rises to zero.
 
+use super::budget::Budget;
 use super::lbfgs::minimise;
 use super::seams::Seams;
 use super::snap::snapped;
@@ -90,17 +91,18 @@ impl<'a> Untangling<'a> {
         Untangling { surface, seams, rest, area, triangles, is_free }
     }
 
-    /// Untangles patches around flipped triangles. Patches that stay tangled are as before.
-    pub(super) fn untangle(&self, values: &mut [f64], doubled: &mut [f64]) {
+    /// Untangles patches around flipped triangles, as long as the budget allows. Patches that stay
+    /// tangled are as before.
+    pub(super) fn untangle(&self, values: &mut [f64], doubled: &mut [f64], budget: &mut Budget) {
         for rings in RINGS {
             let mut seen = vec![false; doubled.len()];
             for first in 0..doubled.len() {
-                if doubled[first] > 0.0 || seen[first] {
+                if doubled[first] > 0.0 || seen[first] || budget.is_spent() {
                     continue;
                 }
                 let patch = self.grow(first, rings, doubled);
                 patch.iter().for_each(|&t| seen[t] = true);
-                self.untangle_patch(&patch, values, doubled);
+                self.untangle_patch(&patch, values, doubled, budget);
             }
         }
     }
@@ -125,7 +127,13 @@ impl<'a> Untangling<'a> {
         left.into_keys().collect()
     }
 
-    fn untangle_patch(&self, patch: &[usize], values: &mut [f64], doubled: &mut [f64]) {
+    fn untangle_patch(
+        &self,
+        patch: &[usize],
+        values: &mut [f64],
+        doubled: &mut [f64],
+        budget: &mut Budget,
+    ) {
         let inside = |t: u32| patch.binary_search(&(t as usize)).is_ok();
         let mut unknowns: Vec<u32> = patch
             .iter()
@@ -168,12 +176,13 @@ impl<'a> Untangling<'a> {
             if least > 0.8 * record.0 || round == 0 {
                 record = (least, round);
             }
-            if (flips == 0 && round > 0) || round > record.1 + PATIENCE {
+            if (flips == 0 && round > 0) || round > record.1 + PATIENCE || budget.is_spent() {
                 break;
             }
             let regular = (1e-12 + 0.04 * least.min(0.0) * least.min(0.0)).sqrt();
             eps = if round == 0 { regular } else { regular.min(eps) };
-            minimise(&mut x, STEPS, |x, gradient| problem.energy(x, eps, gradient));
+            let calls = minimise(&mut x, STEPS, |x, gradient| problem.energy(x, eps, gradient));
+            budget.visit(calls * patch.len());
         }
         x.iter_mut().for_each(|value| *value = snapped(*value));
         let flips = problem.corners.iter().filter(|corners| cross(corners, &x) <= 0.0).count();
