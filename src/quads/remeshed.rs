@@ -3,7 +3,7 @@
 use super::RemeshError;
 use super::options::MOST_PANELS;
 use super::part::Part;
-use super::result::{Distances, RemeshMeasures, Tally, places, places_near};
+use super::result::{Distances, NEAR, RemeshMeasures, Tally, places, places_near};
 use super::surface::{Opening, StayingPart};
 use crate::math::{Vec3, mean};
 use crate::mesh::{Mesh, Point};
@@ -46,8 +46,6 @@ impl RemeshNote {
 /// Vertices of the input or of the result that are farther than this many panels from the other one are
 /// where the surface is not followed.
 const FAR: f64 = 1.0;
-/// Places nearer to each other than this many panels are one.
-pub(super) const NEAR: f64 = 2.5;
 /// A panel follows a surface that turns by no more than this along it, in radians.
 const TURN: f64 = 1.0;
 /// The side of panels that leave an opening open, as a fraction of the length around it: less than a

@@ -18,6 +18,6 @@ pub(super) use distance::Distances;
 pub use distance::LargestDistances;
 pub(super) use measures::Tally;
 pub use measures::{AngleToCurvature, EdgeLengths, Irregular, RemeshMeasures};
-pub(super) use places::{places, places_near};
+pub(super) use places::{NEAR, places, places_near};
 pub(super) use samples::Samples;
 pub(super) use verify::{Shape, verify};

@@ -2,6 +2,9 @@
 
 use crate::math::{Cells, Vec3, mean};
 
+/// Places nearer to each other than this many panels are one.
+pub(in crate::quads) const NEAR: f64 = 2.5;
+
 /// Gathers points that are nearer to each other than `near`, directly or over others, and returns the
 /// mean of each group, the largest group first.
 pub(in crate::quads) fn places(points: &[Vec3<f64>], near: f64) -> Vec<Vec3<f64>> {
