@@ -1,7 +1,7 @@
 //! Lessons whose mesh may be changed: results on another mesh are of the same exercise.
 
 use crate::support::grid::bumpy;
-use shape_up::scene::{GoalOf, Hold, Scene};
+use shape_up::scene::{BuildSettings, Goal, GoalOf, Hold, Product, Scene};
 use shape_up::session::{Edit, Session, check_results};
 
 /// Flat panels and a straight side, between two fixed corners, to be reached on any mesh.
@@ -42,6 +42,23 @@ fn on_another_mesh_only_what_the_student_changed_counts() {
     // The eave is a set of the first mesh: what a student puts there instead is not believed.
     assert_eq!(checked.goals.iter().map(|it| it.met).collect::<Vec<_>>(), [true, false]);
     assert_eq!(checked.goals[1].value, None);
+}
+
+#[test]
+fn parts_are_counted_on_another_mesh_although_seams_are_edges_of_the_first_one() {
+    let mut scene = scene();
+    scene.build = Some(Box::new(BuildSettings {
+        product: Product::Paper,
+        seams: [[10, 11]].into(),
+        ..BuildSettings::default()
+    }));
+    let lesson = scene.lesson.as_mut().expect("it has one");
+    lesson.goals[1] = Goal { of: GoalOf::Build("sheets".to_owned()), at_most: 9.0 };
+    let mut refined = Session::open(scene.clone(), bumpy(8)).expect("it fits");
+    refined.edit(refine(false)).expect("the mesh is not locked");
+    let results = refined.results("Ada", "").expect("it is a lesson");
+    let checked = check_results(&results, scene, bumpy(8)).expect("it is of this lesson");
+    assert!(checked.goals[1].met && checked.goals[1].value.is_some(), "{:?}", checked.goals);
 }
 
 #[test]
