@@ -5,7 +5,7 @@ use super::build;
 use super::identities::revolution;
 use crate::support::grid::grid;
 use shape_up::fabricate::offset::closings;
-use shape_up::fabricate::{BuildCard, CheckRow, PanelSurface, SettingChange, SettingValue, Worst};
+use shape_up::fabricate::{AdvisedValue, BuildCard, CheckRow, PanelSurface, SettingValue, Worst};
 use shape_up::math::{Vec3, cosine, sine};
 use shape_up::mesh::Mesh;
 use shape_up::scene::{BuildSettings, CheckLimits, OffsetKind};
@@ -171,7 +171,7 @@ fn what_is_advised_to_be_set_is_a_value_that_helps() {
         card.check.iter().any(|row| row.id == "safe_distance" && row.met == Some(false))
     };
     assert!(missed(&far));
-    if let Some(SettingChange { setting, value: SettingValue::Number(value), .. }) =
+    if let Some(AdvisedValue { setting, value: Some(SettingValue::Number(value)), .. }) =
         far.tighten.change
     {
         assert_eq!(setting, "distance");

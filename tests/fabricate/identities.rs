@@ -308,7 +308,7 @@ fn every_flat_part_goes_back_to_its_place_in_space() {
     assert_eq!(parts, mesh.faces.len());
 }
 
-fn surface_point(made: &shape_up::fabricate::Build, v: u32) -> Vec3<f64> {
+fn surface_point(made: &Build, v: u32) -> Vec3<f64> {
     made.surface.at(v)
 }
 

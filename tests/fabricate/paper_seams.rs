@@ -108,6 +108,7 @@ fn a_seam_in_a_plane_is_cut_and_has_a_tab_where_it_gets_one() {
             match kind {
                 JointKind::Folded => assert!(!is_seam),
                 JointKind::Tab(_) => assert!(tab > 0.0),
+                JointKind::Tongue(_) => unreachable!("tabs are asked for"),
                 JointKind::Bare => assert!(tab == 0.0),
             }
         }

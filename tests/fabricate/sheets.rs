@@ -5,7 +5,7 @@ use super::files::settings;
 use super::identities::revolution;
 use super::{build, dxf, text_of};
 use crate::support::grid::grid;
-use shape_up::fabricate::{Build, BuildFile, Splice};
+use shape_up::fabricate::{Build, BuildFile, SettingValue, Splice};
 use shape_up::math::cosine_and_sine_of_degrees;
 use shape_up::math::plane::{Point2, area, bounds, distance, minus};
 use shape_up::mesh::{Mesh, Ragged};
@@ -260,7 +260,9 @@ fn a_panel_in_pieces_fits_the_sheet_and_its_plates_are_drilled_with_it() {
     let advice = whole.words(&whole.report()).advice;
     let advised =
         advice.iter().flat_map(|advice| &advice.choices).find(|own| own.setting == "splice");
-    let splice = advised.and_then(|own| own.value).expect("it helps");
+    let Some(SettingValue::Number(splice)) = advised.and_then(|own| own.value) else {
+        panic!("it helps")
+    };
     let made = build(&mesh, &BuildSettings { splice, ..own });
     let report = made.report();
     assert_eq!((report.too_large.len(), report.spliced, report.plates), (0, 1, 2));
