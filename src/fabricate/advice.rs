@@ -399,7 +399,7 @@ mod tests {
             (2.0, &["v-cut", "separate"][..]),
         ] {
             let (found, words) = folds(&ridge(1.0, 30.0), thickness);
-            let expected: Vec<_> = expected.iter().map(|word| SettingValue::Word(*word)).collect();
+            let expected: Vec<_> = expected.iter().map(|word| SettingValue::Word(word)).collect();
             assert_eq!(found, expected, "{thickness}");
             // Both panels have c tan(theta/2) too much.
             let too_long = 2.0 * thickness * libm::tan(30.0_f64.to_radians());

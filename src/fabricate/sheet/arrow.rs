@@ -1,20 +1,18 @@
 //! The arrow of a part, beside its name.
 
-use super::label::Labels;
 use super::text_box::TextBox;
 use crate::fabricate::panel::distance_to_outline;
 use crate::math::plane::Point2;
 
-/// Adds an arrow in this direction beside the name, as long as a letter is high; false if there is no
-/// room.
-pub(super) fn draw_arrow(
+/// The lines of an arrow in this direction, as long as a letter is high, and its box, beside the name,
+/// whose box is the first of those taken; none without room.
+pub(super) fn arrow_beside_name(
     outline: &[Point2],
-    labels: &mut Labels,
-    taken: &mut Vec<TextBox>,
+    taken: &[TextBox],
     height: f64,
     along: Point2,
-) -> bool {
-    let Some(own) = taken.first().copied() else { return false };
+) -> Option<([Vec<Point2>; 2], TextBox)> {
+    let own = taken.first().copied()?;
     let half = [0.5 * height, 0.25 * height];
     let [c, s] = along;
     // Ahead of the name, just outside its box, else on either side of it, or behind.
@@ -37,11 +35,9 @@ pub(super) fn draw_arrow(
             && found.is_in(outline)
             && distance_to_outline(outline, tip) >= 0.2 * height
     };
-    let Some(found) = beside.into_iter().find(has_room) else { return false };
+    let found = beside.into_iter().find(has_room)?;
     let at = |x: f64, y: f64| [found.centre[0] + c * x - s * y, found.centre[1] + s * x + c * y];
     let [x, y] = [half[0], 0.8 * half[1]];
-    labels.lines.push(vec![at(-x, 0.0), at(x, 0.0)]);
-    labels.lines.push(vec![at(0.1 * x, y), at(x, 0.0), at(0.1 * x, -y)]);
-    taken.push(found);
-    true
+    let head = vec![at(0.1 * x, y), at(x, 0.0), at(0.1 * x, -y)];
+    Some(([vec![at(-x, 0.0), at(x, 0.0)], head], found))
 }

@@ -3,7 +3,7 @@
 //! to a readable height, then left out and counted. All names are upright on the sheet, however the
 //! part is rotated.
 
-use super::arrow::draw_arrow;
+use super::arrow::arrow_beside_name;
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
 use super::text_box::{ROOM, TextBox};
@@ -29,6 +29,8 @@ const OF_EDGE: f64 = 0.7;
 /// Names are shrunk to this fraction of their largest height before they are written across their
 /// edge.
 const SMALL: f64 = 0.7;
+/// Least height of a name with a bevel behind it, relative to that of the name alone.
+const WITH_BEVEL: f64 = 0.5;
 /// Positions along an edge at which a neighbour's name is tried.
 const SHARES: [f64; 9] = [0.5, 0.38, 0.62, 0.28, 0.72, 0.24, 0.76, 0.14, 0.86];
 /// The own name is underlined if a neighbour's is higher than this fraction of it.
@@ -92,6 +94,17 @@ pub fn label(own: Inscription<'_>) -> Labels {
     best.map_or_else(Labels::default, |(_, labels)| labels)
 }
 
+/// The name beside an edge.
+struct BesideEdge {
+    edge: [Point2; 2],
+    /// In degrees.
+    bevel: Option<f64>,
+    /// The place of its box among those that are taken.
+    at: usize,
+    words: String,
+    height: f64,
+}
+
 /// As `label`, with the relative height `own` of the own name; also whether the arrow is there.
 fn label_of_height(
     Inscription { outline, name, neighbours, bevels, is_oriented, arrow, turn, holes }: Inscription<
@@ -146,12 +159,14 @@ fn label_of_height(
     labels.lines.extend(strokes(name, height, own.centre, own.along));
     labels.texts.push(name.to_owned());
     taken.insert(0, own);
-    let has_arrow =
-        arrow.is_some_and(|way| draw_arrow(&whole, &mut labels, &mut taken, height, way));
+    let drawn = arrow.and_then(|way| arrow_beside_name(&whole, &taken, height, way));
+    let has_arrow = drawn.is_some();
+    if let Some((lines, own)) = drawn {
+        labels.lines.extend(lines);
+        taken.push(own);
+    }
     let mut highest: f64 = 0.0;
-    // For each name that has room: its edge and the bevel there, its box among those taken, its words and
-    // its height.
-    let mut beside_edges: Vec<([Point2; 2], Option<f64>, usize, String, f64)> = Vec::new();
+    let mut beside_edges: Vec<BesideEdge> = Vec::new();
     let is_possible = |i: usize| !is_oriented || matches!(neighbours.get(i), Some(Some(_)));
     let possible_sides = sides(outline).enumerate().filter(|&(i, _)| is_possible(i));
     let possible_sides: Vec<[Point2; 2]> = possible_sides.map(|(_, side)| side).collect();
@@ -167,14 +182,15 @@ fn label_of_height(
         match found {
             Some((height, own)) => {
                 highest = highest.max(height);
-                beside_edges.push((edge, bevel, taken.len(), neighbour.to_owned(), height));
+                let words = neighbour.to_owned();
+                beside_edges.push(BesideEdge { edge, bevel, at: taken.len(), words, height });
                 taken.push(own);
             }
             None => labels.dropped += 1,
         }
     }
     // A bevel takes no room from a name.
-    for (edge, bevel, at, words, height) in &mut beside_edges {
+    for BesideEdge { edge, bevel, at, words, height } in &mut beside_edges {
         let Some(bevel) = *bevel else { continue };
         let longer = format!("{words} {}", bevel_words(bevel));
         let mut others = taken.clone();
@@ -186,11 +202,11 @@ fn label_of_height(
             turn,
             (&others, holes),
         );
-        if let Some((lower, own)) = found.filter(|(lower, _)| *lower >= SMALL * *height) {
+        if let Some((lower, own)) = found.filter(|(lower, _)| *lower >= WITH_BEVEL * *height) {
             (taken[*at], *words, *height) = (own, longer, lower);
         }
     }
-    for (_, _, at, words, height) in beside_edges {
+    for BesideEdge { at, words, height, .. } in beside_edges {
         labels.lines.extend(strokes(&words, height, taken[at].centre, taken[at].along));
         labels.texts.push(words);
     }

@@ -71,6 +71,9 @@ fn panels_with_a_joint_and_a_kerf_make_the_dome_again() {
         let found = panels::assemble(&files);
         key::assert_shows(&files, &found);
         found.assert_is(&dome());
+        let (parts, _) = files.parts();
+        let arrows = parts.iter().filter(|part| part.arrow.is_some()).count();
+        assert!(scale > 10.0 || 3 * arrows > parts.len(), "{arrows} arrows");
     }
 }
 
