@@ -206,7 +206,7 @@ test('axe: an embedded view that is not yet started', async ({ page }) => {
   await expectNothing(page);
 });
 
-test('axe: an embedded view that is started', async ({ page }) => {
+test('axe: a view that plays in another page', async ({ page }) => {
   await page.goto('./?embed&autoplay#example=hypar');
   await page.waitForFunction(() => window.shapeUp?.state().converged);
   await expectNothing(page);
