@@ -369,7 +369,7 @@ mod tests {
             assert_eq!(found, expected, "{thickness}");
             // Both panels have c tan(theta/2) too much.
             let too_long = 2.0 * thickness * libm::tan(30.0_f64.to_radians());
-            let told = format!("is {} too long", crate::words::millimetres(too_long));
+            let told = format!("is {} too long", words::millimetres(too_long));
             assert_eq!(words.contains(&told), !expected.is_empty(), "{words}");
         }
         // Nothing is too long without ridges, and nothing helps where folds leave nothing.

@@ -4,6 +4,7 @@
 use super::files::settings;
 use super::{build, dxf, text_of};
 use crate::support::grid::grid;
+use shape_up::fabricate::SettingValue;
 use shape_up::fabricate::{Build, BuildFile, Splice};
 use shape_up::math::cosine_and_sine_of_degrees;
 use shape_up::math::plane::{Point2, area, bounds, distance, minus};
@@ -258,7 +259,7 @@ fn a_panel_in_pieces_fits_the_sheet_and_its_plates_are_drilled_with_it() {
     let advice = whole.words(&whole.report()).advice;
     let advised =
         advice.iter().flat_map(|advice| &advice.choices).find(|own| own.setting == "splice");
-    let splice = advised.expect("it helps").value;
+    let SettingValue::Number(splice) = advised.expect("it helps").value else { panic!() };
     let made = build(&mesh, &BuildSettings { splice, ..own });
     let report = made.report();
     assert_eq!((report.too_large.len(), report.spliced, report.plates), (0, 1, 2));
