@@ -198,6 +198,8 @@ pub(super) fn assemble(files: &Files) -> Found {
                 let Some(added) = has_tab[k] else { continue };
                 let panels = (name.clone(), side.beyond.clone());
                 match &of_tongues[k] {
+                    // Its name has no room; that at its slot tells where it goes.
+                    None if added.is_tongue() => {}
                     None => glued.push(panels),
                     Some(tongue) => {
                         let of = &mut tongues[usize::from(added.is_tongue())];
