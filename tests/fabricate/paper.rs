@@ -146,7 +146,7 @@ fn paper_is_cut_with_a_knife_whatever_tool_was_set_before() {
 }
 
 /// Whether two non-adjacent sides cross.
-pub(super) fn crosses_itself(polygon: &[Point2]) -> bool {
+fn crosses_itself(polygon: &[Point2]) -> bool {
     let n = polygon.len();
     let side = |p: Point2, q: Point2, r: Point2| {
         (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0])
