@@ -4,11 +4,11 @@
 //! part is rotated.
 
 use super::arrow::arrow_beside_name;
+use super::beside_edge::{BesideEdge, beside_edge, bevel_words};
 use super::lettering::{strokes, text_width};
 use super::part::Hole;
-use super::text_box::{ROOM, TextBox};
-use crate::fabricate::file::places;
-use crate::fabricate::panel::{direction_of, distance_to_outline, roomiest_point_beside, sides};
+use super::text_box::TextBox;
+use crate::fabricate::panel::{direction_of, roomiest_point_beside, sides};
 use crate::math::plane::{Point2, distance, dot, rotated};
 
 /// Largest height of neighbours' names, in mm.
@@ -24,15 +24,8 @@ const LEANING: f64 = 0.2;
 /// Least cosine of the angle between a name that says how its part lies and the direction that it stands
 /// for.
 const ORIENTED: f64 = 0.9;
-/// Largest length of a neighbour's name relative to its edge.
-const OF_EDGE: f64 = 0.7;
-/// Names are shrunk to this fraction of their largest height before they are written across their
-/// edge.
-const SMALL: f64 = 0.7;
 /// Least height of a name with a bevel behind it, relative to that of the name alone.
 const WITH_BEVEL: f64 = 0.5;
-/// Positions along an edge at which a neighbour's name is tried.
-const SHARES: [f64; 9] = [0.5, 0.38, 0.62, 0.28, 0.72, 0.24, 0.76, 0.14, 0.86];
 /// The own name is underlined if a neighbour's is higher than this fraction of it.
 pub(super) const ALIKE: f64 = 0.85;
 /// Distance of the underline, relative to the height of the name.
@@ -92,17 +85,6 @@ pub fn label(own: Inscription<'_>) -> Labels {
         }
     }
     best.map_or_else(Labels::default, |(_, labels)| labels)
-}
-
-/// The name beside an edge.
-struct BesideEdge {
-    edge: [Point2; 2],
-    /// In degrees.
-    bevel: Option<f64>,
-    /// The place of its box among those that are taken.
-    at: usize,
-    words: String,
-    height: f64,
 }
 
 /// As `label`, with the relative height `own` of the own name; also whether the arrow is there.
@@ -216,12 +198,6 @@ fn label_of_height(
     (labels, has_arrow)
 }
 
-/// A bevel with its sign, to a tenth of a degree.
-fn bevel_words(degrees: f64) -> String {
-    let sign = if degrees < 0.0 { '-' } else { '+' };
-    format!("{sign}{}", places(degrees.abs(), 1))
-}
-
 /// An outline, and over bridges around the holes that a panel has in the model, in the other direction: what
 /// lies in them is outside.
 fn with_openings(outline: &[Point2], holes: &[Hole]) -> Vec<Point2> {
@@ -249,67 +225,6 @@ pub(super) fn underline(
     vec![at(-0.5 * width), at(0.5 * width)]
 }
 
-/// The height of a neighbour's name beside its edge, and its box: along the edge or else across it,
-/// as high as there is room up to `tallest`, if necessary beyond the hole nearest to the edge. None
-/// if it would be unreadable, or nearer to one of the `possible_sides`, with whose name it could be
-/// confused, than to its edge.
-fn beside_edge(
-    outline: &[Point2],
-    ([p, q], possible_sides): ([Point2; 2], &[[Point2; 2]]),
-    (name, tallest): (&str, f64),
-    turn: Point2,
-    (taken, holes): (&[TextBox], &[Hole]),
-) -> Option<(f64, TextBox)> {
-    if tallest < LEAST {
-        return None;
-    }
-    let length = distance(p, q);
-    let along = direction_of(p, q);
-    let inwards = [-along[1], along[0]];
-    let others = holes.iter().filter(|hole| hole.as_opening().is_none());
-    let beyond = others.map(|hole| hole.reach(p, inwards)).reduce(f64::min);
-    let mut height = tallest;
-    loop {
-        let width = text_width(name, height);
-        // Across the edge only if letters along it would become small.
-        let directions = [(along, true), (inwards, false)];
-        let is_tall = height > LEAST.max(SMALL * tallest);
-        let tried = if is_tall { &directions[..1] } else { &directions };
-        for &(direction, is_along) in tried {
-            let [size, depth] = if is_along { [width, height] } else { [height, width] };
-            if size > OF_EDGE * length {
-                continue;
-            }
-            let away = 0.5 * depth + ROOM * height + 0.4;
-            for away in [Some(away), beyond.map(|beyond| beyond + away)].into_iter().flatten() {
-                // In the middle of the edge, else to either side; near its ends only with small
-                // letters.
-                for share in if is_tall { &SHARES[..5] } else { &SHARES[..] } {
-                    let centre = [0, 1].map(|x| p[x] + share * (q[x] - p[x]) + away * inwards[x]);
-                    let own = TextBox::of_text(name, height, centre, upright(direction, turn));
-                    if own.is_in(outline)
-                        && taken.iter().all(|other| own.is_apart(other))
-                        && is_nearest([p, q], possible_sides, centre)
-                    {
-                        return Some((height, own));
-                    }
-                }
-            }
-        }
-        if height <= LEAST {
-            return None;
-        }
-        height = (0.8 * height).max(LEAST);
-    }
-}
-
-/// Whether none of the `possible_sides`, which may have its own side, is nearer to a point than that.
-fn is_nearest(own: [Point2; 2], possible_sides: &[[Point2; 2]], point: Point2) -> bool {
-    let far = |side: &[Point2; 2]| distance_to_outline(side, point);
-    let least = far(&own) * (1.0 - 1e-9);
-    possible_sides.iter().all(|other| far(other) >= least)
-}
-
 /// The direction or its opposite, such that letters are upright when the part is rotated; nearly
 /// vertical text on the sheet reads upwards.
 pub(in crate::fabricate) fn upright(along: Point2, turn: Point2) -> Point2 {
@@ -331,6 +246,7 @@ fn middle(outline: &[Point2]) -> Point2 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::fabricate::sheet::beside_edge::is_nearest;
 
     /// Width and height of polylines.
     fn extent(lines: &[Vec<Point2>]) -> [f64; 2] {

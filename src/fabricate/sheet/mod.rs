@@ -1,6 +1,7 @@
 //! Sheets: parts with their lines and names, laid out beside each other.
 
 mod arrow;
+mod beside_edge;
 mod bitmap;
 mod cells;
 mod clearance;

@@ -1,15 +1,16 @@
 //! Advice: other values of settings with which parts can be cut and joined.
 
+mod folds;
+mod joining;
+
 use super::beam::Frame;
 use super::build::Build;
-use super::panel::{distinct_corners, smallest_box_within};
-use super::paper::{Card, FoldKind, PaperModel, PaperSize};
+use super::panel::smallest_box_within;
+use super::paper::PaperModel;
 use super::report::{BuildReport, JOINT_STEP};
-use crate::math::plane::{Point2, rotated};
-use crate::scene::{BuildSettings, Fold, Product};
+use crate::scene::{BuildSettings, Product};
 use crate::words;
 use serde::Serialize;
-use std::collections::BTreeSet;
 
 /// Usual scales of models, by their denominators.
 const SCALES: [f64; 13] =
@@ -18,17 +19,6 @@ const SCALES: [f64; 13] =
 const SMALL: f64 = 10.0;
 /// The mean edge in mm on the sheet that is proposed instead, at least.
 const HANDY: f64 = 25.0;
-/// Width of splice plates in thicknesses, as of the butt blocks of boats: ten on either side of the seam.
-/// And the least one in mm, for hands and letters.
-const OF_THICKNESS: f64 = 20.0;
-const NARROWEST: f64 = 10.0;
-
-/// The thickest paper in mm: it folds as if it had no thickness.
-const PAPER: f64 = 0.3;
-/// The thickest card in mm that is creased, as for folding boxes: 0.35 to 0.57 mm in D. Babić, V.
-/// Kropar-Vančina, B. Lajić, "Grooving quality research on packaging cardboard". Cut half through, what is
-/// left is not to be thicker either.
-const CREASED: f64 = 0.6;
 
 /// A remark with the values of a setting that help.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -80,20 +70,6 @@ impl AdvisedValue {
     fn scale(denominator: f64) -> AdvisedValue {
         AdvisedValue::number(format!("Scale 1:{denominator}"), "scale", denominator)
     }
-
-    fn fold(fold: Fold) -> AdvisedValue {
-        let (label, word) = match fold {
-            Fold::Crease => ("Crease the folds", "crease"),
-            Fold::Score => ("Score the folds", "score"),
-            Fold::VCut => ("V-cut the folds", "v-cut"),
-            Fold::Separate => ("Separate the panels", "separate"),
-        };
-        AdvisedValue {
-            label: label.to_owned(),
-            setting: "fold",
-            value: Some(SettingValue::Word(word)),
-        }
-    }
 }
 
 impl Build {
@@ -107,40 +83,6 @@ impl Build {
             self.advice_on_folds(),
         ];
         all.into_iter().flatten().collect()
-    }
-
-    /// The width of plates with which every panel that is too large can be cut into pieces that fit.
-    fn advice_on_pieces(&self, report: &BuildReport) -> Option<Advice> {
-        let BuildSettings { product, splice, thickness, .. } = self.settings;
-        if product != Product::Panels || splice > 0.0 || report.too_large.is_empty() {
-            return None;
-        }
-        let width = (OF_THICKNESS * thickness).max(NARROWEST);
-        // Those of a type are cut alike.
-        let mut tried = BTreeSet::new();
-        let panels = self.layout.too_large.iter().flat_map(|&part| &self.parts[part].panels);
-        let mut large = panels
-            .filter(|&&panel| self.types.of[panel as usize].is_none_or(|kind| tried.insert(kind)));
-        // Reliefs are cut into its pieces, not into the whole panel.
-        let can_be_spliced = |&panel: &u32| {
-            let turn = self.cut[panel as usize].as_ref()?.turn;
-            let own = self.outline(panel as usize, &self.settings).ok()?;
-            let turned = own.rings.iter().map(|ring| {
-                let corners = ring.corners.iter().map(|&corner| rotated(corner, turn));
-                distinct_corners(&corners.collect::<Vec<_>>())
-            });
-            let turned: Vec<Vec<Point2>> = turned.collect();
-            self.spliced(&turned[0], &turned[1..], width)
-        };
-        large.all(|panel| can_be_spliced(panel).is_some()).then(|| Advice {
-            words: "Panels that are larger than the sheet can be cut into pieces with plates behind their seams."
-                .to_owned(),
-            choices: vec![AdvisedValue::number(
-                format!("Splice plates {}", words::millimetres_limit(width)),
-                "splice",
-                width,
-            )],
-        })
     }
 
     /// The joints that keep panels of this thickness apart outside and inside the surface, if each of
@@ -172,79 +114,6 @@ impl Build {
         };
         choices.sort_by(|a, b| joint(a).total_cmp(&joint(b)));
         (!choices.is_empty()).then_some(Advice { words, choices })
-    }
-
-    /// Node discs for fins that nothing joins, if there is room for some.
-    fn advice_on_discs(&self) -> Option<Advice> {
-        if self.settings.disc != Some(0.0) || self.fins.len() < 2 {
-            return None;
-        }
-        let frame = self.frame_of(&BuildSettings { disc: None, ..self.settings.clone() })?;
-        let all = frame.discs.iter().flatten().count();
-        let made = frame.discs.iter().flatten().flatten().count();
-        let room = match made {
-            0 => return None,
-            _ if made == all => String::new(),
-            _ => format!(" {made} of {all} nodes have room for one."),
-        };
-        Some(Advice {
-            words: format!(
-                "Nothing joins the fins. Node discs of the same material do, into which they are pushed.{room}"
-            ),
-            choices: vec![AdvisedValue {
-                label: "Node discs of the smallest size".to_owned(),
-                setting: "disc",
-                value: None,
-            }],
-        })
-    }
-
-    /// What becomes of creased card that is thicker than paper, and the folds that allow for the thickness.
-    fn advice_on_folds(&self) -> Option<Advice> {
-        let (BuildSettings { fold, thickness, scale, joint, .. }, model) =
-            (&self.settings, self.paper.as_ref()?);
-        if *fold != Fold::Crease || *thickness <= PAPER {
-            return None;
-        }
-        let scored = |fold: Fold| {
-            let card = Card { fold, thickness: *thickness };
-            PaperSize { card, tab: 0.0, slots: None, ..self.paper_size(*scale) }
-        };
-        let ridges = model.net.joints.iter().filter(|joint| joint.kind() == FoldKind::Ridge);
-        let steepest = ridges.map(|joint| joint.fold).fold(0.0, f64::max);
-        let too_long = 2.0 * scored(Fold::Score).card.back(steepest);
-        if too_long < JOINT_STEP {
-            return None;
-        }
-        let (why, ways) = match *thickness {
-            thin if thin <= CREASED => (
-                "It can be creased, as for folding boxes; if it is scored, panels are shorter by that, and edges \
-                 are glued to each other without tabs.",
-                &[Fold::Score][..],
-            ),
-            card if card <= 2.0 * CREASED => (
-                "It breaks if it is creased: cut half through, what is left can be folded; a V-cut leaves the \
-                 outside whole.",
-                &[Fold::Score, Fold::VCut][..],
-            ),
-            _ => (
-                "It breaks if it is creased, and half of it is too thick to be folded: cut a V on the inside, or, \
-                 with a laser, which cuts square, cut panels apart.",
-                &[Fold::VCut, Fold::Separate][..],
-            ),
-        };
-        let made = self.made(*scale, *joint);
-        let is_made =
-            |fold: &&Fold| PaperModel::made_at(&self.surface, &self.flat, scored(**fold)) >= made;
-        Some(Advice {
-            words: format!(
-                "Creases do not allow for the thickness: the inside of card of {} is {} too long at the \
-                 steepest ridge. {why}",
-                words::millimetres_limit(*thickness),
-                words::millimetres(too_long),
-            ),
-            choices: ways.iter().filter(is_made).map(|fold| AdvisedValue::fold(*fold)).collect(),
-        })
     }
 
     /// Formats a length of the building as its field takes it, and as it is on the sheet if that reads
@@ -323,16 +192,17 @@ impl Build {
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use super::*;
     use crate::fabricate::Stand;
     use crate::math::cosine_and_sine_of_degrees;
+    use crate::math::plane::rotated;
     use crate::mesh::Mesh;
     use crate::scene::Fold;
     use crate::words::{LengthUnit, UNITS};
 
     /// A ridge of two panels with sides of this length, each of which goes down by this angle.
-    fn ridge(side: f64, degrees: f64) -> Mesh {
+    pub(in crate::fabricate::advice) fn ridge(side: f64, degrees: f64) -> Mesh {
         let [cosine, sine] = cosine_and_sine_of_degrees(degrees);
         let at = |x: f64, y: f64| [x * side * cosine, y * side, -x.abs() * side * sine];
         let positions = vec![
@@ -348,7 +218,7 @@ mod tests {
     }
 
     /// A floor of 12 by 8 with sides of 0.4, and a quad by itself.
-    fn floor() -> Mesh {
+    pub(in crate::fabricate::advice) fn floor() -> Mesh {
         let along = |from: [f64; 2], step: [f64; 2], count: u32| {
             (0..count).map(move |k| [0, 1].map(|axis| from[axis] + f64::from(k) * step[axis]))
         };
@@ -364,7 +234,10 @@ mod tests {
         mesh
     }
 
-    fn advice(mesh: &Mesh, settings: &BuildSettings) -> Vec<Advice> {
+    pub(in crate::fabricate::advice) fn advice(
+        mesh: &Mesh,
+        settings: &BuildSettings,
+    ) -> Vec<Advice> {
         let build = Build::new(mesh, settings, UNITS[0], &Stand::default()).expect("panels");
         let report = build.report();
         build.words(&report).advice
@@ -380,39 +253,10 @@ mod tests {
         values.filter_map(number).collect()
     }
 
-    /// The folds that are advised for card of this thickness, and the remark.
-    fn folds(mesh: &Mesh, thickness: f64) -> (Vec<SettingValue>, String) {
-        let (product, scale) = (Product::Paper, 20.0);
-        let own = BuildSettings { product, thickness, scale, ..BuildSettings::default() };
-        let given = advice(mesh, &own).into_iter().find(|own| own.words.starts_with("Creases"));
-        let given = given.unwrap_or(Advice { words: String::new(), choices: Vec::new() });
-        (given.choices.iter().filter_map(|own| own.value).collect(), given.words)
-    }
-
-    #[test]
-    fn folds_that_allow_for_the_thickness_are_advised_for_card_by_its_thickness() {
-        for (thickness, expected) in [
-            (0.2, &[][..]),
-            (0.5, &["score"][..]),
-            (1.0, &["score", "v-cut"][..]),
-            (1.5, &["v-cut", "separate"][..]),
-            (2.0, &["v-cut", "separate"][..]),
-        ] {
-            let (found, words) = folds(&ridge(1.0, 30.0), thickness);
-            let expected: Vec<_> = expected.iter().map(|word| SettingValue::Word(word)).collect();
-            assert_eq!(found, expected, "{thickness}");
-            // Both panels have c tan(theta/2) too much.
-            let too_long = 2.0 * thickness * libm::tan(30.0_f64.to_radians());
-            let told = format!("is {} too long", words::millimetres(too_long));
-            assert_eq!(words.contains(&told), !expected.is_empty(), "{words}");
-        }
-        // Nothing is too long without ridges, and nothing helps where folds leave nothing.
-        assert_eq!(folds(&floor(), 2.0), (Vec::new(), String::new()));
-        let (found, words) = folds(&ridge(0.02, 60.0), 2.0);
-        assert!(found.is_empty() && !words.is_empty(), "{found:?}");
-    }
-
-    fn follow(own: &mut BuildSettings, AdvisedValue { setting, value, .. }: &AdvisedValue) {
+    pub(in crate::fabricate::advice) fn follow(
+        own: &mut BuildSettings,
+        AdvisedValue { setting, value, .. }: &AdvisedValue,
+    ) {
         let value = serde_json::to_value(value).expect("it is plain");
         let given = [((*setting).to_owned(), value)].into_iter().collect();
         *own = own.with_all(given).expect("it is valid");
@@ -555,50 +399,6 @@ mod tests {
             let choices = build.advice_on_joint(&report).map_or(Vec::new(), |own| own.choices);
             assert_eq!(choices.iter().map(|own| &*own.label).collect::<Vec<_>>(), [label]);
         }
-    }
-
-    #[test]
-    fn splices_are_advised_for_a_panel_with_reliefs_if_they_make_pieces_of_it() {
-        // The spur of the notch would cross the seam, which is halfway along the panel.
-        let positions =
-            [[0.0, 0.0], [1.2, 0.0], [1.2, 0.6], [0.6025, 0.6], [0.6025, 0.3], [0.0, 0.3]];
-        let positions = positions.map(|[x, y]| [x, y, 0.0]).to_vec();
-        let faces = [[0, 1, 2, 3, 4, 5]].into_iter().collect();
-        let mesh = Mesh { positions, faces, ..Mesh::default() };
-        let unit = UNITS[0];
-        let settings = BuildSettings {
-            sheet: [700.0, 700.0],
-            scale: 1.0,
-            tool: 6.0,
-            kerf: 6.0,
-            thickness: 4.0,
-            ..BuildSettings::default()
-        };
-        let build = Build::new(&mesh, &settings, unit, &Stand::default()).expect("a panel");
-        let spliced = build.advice_on_pieces(&build.report()).expect("it can be cut into pieces");
-        assert_eq!(spliced.choices.len(), 1);
-    }
-
-    #[test]
-    fn discs_are_advised_for_fins_that_nothing_joins_where_there_is_room() {
-        let positions = (0..9).map(|k| [f64::from(k % 3), f64::from(k / 3), 0.0]).collect();
-        let faces = [[0, 1, 4, 3], [1, 2, 5, 4], [3, 4, 7, 6], [4, 5, 8, 7]].into_iter().collect();
-        let mesh = Mesh { positions, faces, ..Mesh::default() };
-        let (product, scale, thickness) = (Product::Fins, 10.0, 3.0);
-        let own = |distance: f64| {
-            let distance = Some(distance);
-            let own = BuildSettings { product, scale, thickness, distance, ..Default::default() };
-            let build = Build::new(&mesh, &own, UNITS[0], &Stand::default()).expect("panels");
-            (build.advice_on_discs(), own)
-        };
-        let (advice, mut followed) = own(0.3);
-        let advice = advice.expect("there is room");
-        assert!(advice.words.ends_with("they are pushed."), "{advice:?}");
-        follow(&mut followed, &advice.choices[0]);
-        let build = Build::new(&mesh, &followed, UNITS[0], &Stand::default()).expect("panels");
-        assert_eq!((build.discs.len(), build.advice_on_discs()), (9, None));
-        // Fins of 1 mm have no seat.
-        assert_eq!(own(0.01).0, None);
     }
 
     #[test]
