@@ -1,10 +1,8 @@
 //! The name of what lies beyond an edge of a part, beside that edge.
 
-use super::label::{LEAST, upright};
-use super::lettering::text_width;
+use super::lettering::{LEAST, text_width, upright};
 use super::part::Hole;
 use super::text_box::{ROOM, TextBox};
-use crate::fabricate::file::places;
 use crate::fabricate::panel::{direction_of, distance_to_outline};
 use crate::math::plane::{Point2, distance};
 
@@ -90,6 +88,6 @@ pub(super) fn is_nearest(own: [Point2; 2], possible_sides: &[[Point2; 2]], point
 
 /// A bevel with its sign, to a tenth of a degree.
 pub(super) fn bevel_words(degrees: f64) -> String {
-    let sign = if degrees < 0.0 { '-' } else { '+' };
-    format!("{sign}{}", places(degrees.abs(), 1))
+    let text = format!("{degrees:+.1}");
+    text.strip_suffix(".0").unwrap_or(&text).to_owned()
 }

@@ -2,8 +2,8 @@
 //! slot, and beside each slot that of the node that its fin leads to. Names that do not fit are made
 //! smaller down to a readable height, then left out and counted.
 
-use super::label::{ALIKE, LEAST, Labels, TALLEST, underline, upright};
-use super::lettering::{strokes, text_width};
+use super::label::{ALIKE, Labels, TALLEST, underline};
+use super::lettering::{LEAST, strokes, text_width, upright};
 use super::part::Hole;
 use super::text_box::{ROOM, TextBox};
 use crate::fabricate::panel::{direction_of, distance_to_outline};

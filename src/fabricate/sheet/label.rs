@@ -5,7 +5,7 @@
 
 use super::arrow::arrow_beside_name;
 use super::beside_edge::{BesideEdge, beside_edge, bevel_words};
-use super::lettering::{strokes, text_width};
+use super::lettering::{LEAST, strokes, text_width, upright};
 use super::part::Hole;
 use super::text_box::TextBox;
 use crate::fabricate::panel::{direction_of, roomiest_point_beside, sides};
@@ -13,14 +13,10 @@ use crate::math::plane::{Point2, distance, dot, rotated};
 
 /// Largest height of neighbours' names, in mm.
 pub(super) const TALLEST: f64 = 8.0;
-/// Smallest height of names, in mm: lower ones are not engraved.
-pub(super) const LEAST: f64 = 2.0;
 /// Height of neighbours' names relative to the radius of the largest circle in the outline.
 const OF_RADIUS: f64 = 0.25;
 /// Height of the own name relative to neighbours' names; smaller if that leaves room for more.
 const OWN: [f64; 3] = [1.7, 1.3, 1.0];
-/// Sine of the angle by which a nearly vertical text may lean backwards and still read upwards.
-const LEANING: f64 = 0.2;
 /// Least cosine of the angle between a name that says how its part lies and the direction that it stands
 /// for.
 const ORIENTED: f64 = 0.9;
@@ -223,13 +219,6 @@ pub(super) fn underline(
     let down = (0.5 + BELOW) * height;
     let at = |x: f64| [centre[0] + c * x + s * down, centre[1] + s * x - c * down];
     vec![at(-0.5 * width), at(0.5 * width)]
-}
-
-/// The direction or its opposite, such that letters are upright when the part is rotated; nearly
-/// vertical text on the sheet reads upwards.
-pub(in crate::fabricate) fn upright(along: Point2, turn: Point2) -> Point2 {
-    let [c, s] = rotated(along, turn);
-    if c < -LEANING || (c <= LEANING && s < 0.0) { along.map(|x| -x) } else { along }
 }
 
 /// The centroid of the outline as a curve.

@@ -1,6 +1,6 @@
 //! The layout of parts on sheets: the smallest of several arrangements in rows, or nested in each other.
 
-use super::label::upright;
+use super::lettering::upright;
 use super::nest::{First, Nester};
 use super::part::{CutPart, Place, SheetSize};
 use super::shelf::{Resting, Shelves, resting};

@@ -9,6 +9,17 @@ const ADVANCE: f64 = 6.0;
 const HEIGHT: f64 = 6.0;
 /// Width of a letter in grid units.
 const WIDTH: f64 = 4.0;
+/// Smallest height of names, in mm: lower ones are not engraved.
+pub(super) const LEAST: f64 = 2.0;
+/// Sine of the angle by which a nearly vertical text may lean backwards and still read upwards.
+const LEANING: f64 = 0.2;
+
+/// The direction or its opposite, such that letters are upright when the part is rotated; nearly
+/// vertical text on the sheet reads upwards.
+pub(in crate::fabricate) fn upright(along: Point2, turn: Point2) -> Point2 {
+    let [c, s] = rotated(along, turn);
+    if c < -LEANING || (c <= LEANING && s < 0.0) { along.map(|x| -x) } else { along }
+}
 
 /// The strokes of a letter, or of `?` instead of one that has none: pairs of digits are the x and y of
 /// points.

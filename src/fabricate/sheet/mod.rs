@@ -17,9 +17,9 @@ mod tiles;
 mod waste;
 
 pub use disc_label::{SlotName, label_disc};
-pub(super) use label::upright;
 pub use label::{Inscription, Labels, label};
 pub use layout::{Layout, Sheet, lay_out};
+pub(super) use lettering::upright;
 pub use lettering::{height_within, in_capitals, strokes, text_width};
 pub use part::{CutPart, Hole, NamePlace, Place, Role, SheetSize, circle};
 pub(super) use tiles::{Tile, tiles};

@@ -219,7 +219,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "clearance",
         "Clearance",
         number(Mm, ON_SHEET),
-        "Play between a node disc and a fin, or a tongue and its slot, on each side.",
+        "Play between node disc and fin, or tongue and slot, on each side.",
     )
     .of(&[Fins, Paper]),
     setting(Offset, "kind", "Measured at", KINDS, "What keeps its distance in the offset.")

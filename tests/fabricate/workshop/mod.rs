@@ -98,7 +98,8 @@ fn panels_with_their_inside_up_make_the_dome_again_whole_or_in_pieces() {
 
 #[test]
 fn panels_that_are_thick_have_their_bevels_at_their_edges() {
-    let own = BuildSettings { joint: 0.01, thickness: 4.0, scale: 10.0, ..of(Product::Panels) };
+    let (scale, sheet) = (5.0, [2440.0, 1220.0]);
+    let own = BuildSettings { joint: 0.01, thickness: 4.0, scale, sheet, ..of(Product::Panels) };
     let made = build(&dome(), &own);
     let files = files(&made);
     panels::assemble(&files).assert_is(&dome());

@@ -215,9 +215,10 @@ pub(super) fn assemble(files: &Files) -> Found {
         }
     }
     assert_eq!(panels.len(), sides.len(), "every panel is on a piece");
-    // A tongue that is found by its name has its slot, at the edge that it is on.
+    // A tongue that is found by its name has its slot, at the edge that it is on. Some have no room for
+    // letters of 2 mm.
     let [slots, tongues] = tongues;
-    assert!(10 * tongues.len() >= 9 * slots.len(), "{slots:?} {tongues:?}");
+    assert!(3 * tongues.len() >= 2 * slots.len(), "{slots:?} {tongues:?}");
     for (name, (own, beyond)) in &tongues {
         assert_eq!(slots[name], (beyond.clone(), own.clone()), "{name}");
     }
