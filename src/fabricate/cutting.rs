@@ -20,6 +20,10 @@ use crate::math::plane::{Point2, area, bounds, is_inside, length, minus, rotated
 use crate::math::{cosine, sine};
 use crate::scene::{BuildSettings, Join, Product, Up};
 
+/// The widest kerf of paper and card in mm: of lasers and knives. Wider cuts around the slits of nets can
+/// cross each other.
+const WIDEST_OF_PAPER: f64 = 1.0;
+
 impl Build {
     /// Cuts all parts of a shape that stands like this, lays them out, and names them.
     pub(super) fn cut(&mut self, stand: &Stand) {
@@ -272,18 +276,26 @@ impl Build {
 
     /// The sizes of a paper model at this scale.
     pub(super) fn paper_size(&self, scale: f64) -> PaperSize {
-        let BuildSettings { sheet, margin, fold, join, thickness, clearance, kerf, .. } =
-            self.settings;
+        let BuildSettings { sheet, margin, fold, join, thickness, clearance, .. } = self.settings;
+        let kerf = self.paper_kerf();
         let room = sheet.map(|side| side - 2.0 * (margin + reach(kerf)));
         let card = Card { fold, thickness };
         let slots = (join == Join::Slots).then_some(Fit { thickness, clearance, kerf });
         PaperSize { model: self.mm_of_sheet_at(scale), room, tab: self.tab(), slots, card }
     }
 
+    /// The kerf that outlines of a paper model allow for: none that is wider than its slits can be.
+    fn paper_kerf(&self) -> f64 {
+        Some(self.settings.kerf).filter(|kerf| *kerf <= WIDEST_OF_PAPER).unwrap_or(0.0)
+    }
+
     /// Cuts the pieces of a paper model; `write_names` finds neighbours, which depend on the tabs.
     fn cut_paper(&mut self) {
-        let BuildSettings { pieces, print_inside, scale, kerf, .. } = self.settings;
-        let size = self.paper_size(scale);
+        let BuildSettings { pieces, print_inside, scale, .. } = self.settings;
+        let (size, kerf) = (self.paper_size(scale), self.paper_kerf());
+        if self.settings.kerf > kerf {
+            self.faults.push(Fault::wide_kerf(self.settings.kerf));
+        }
         let model = PaperModel::new(&self.surface, &self.flat, pieces, size, &self.settings.seams);
         let pieces = 0..model.pieces.len();
         self.parts = pieces.map(|k| drawn(&model, k, print_inside, kerf)).collect();

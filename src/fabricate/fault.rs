@@ -50,6 +50,14 @@ impl Fault {
         ))
     }
 
+    /// A kerf that outlines of paper do not allow for.
+    pub(super) fn wide_kerf(kerf: f64) -> Fault {
+        let kerf = words::millimetres_limit(kerf);
+        Fault(format!(
+            "a cut that is {kerf} wide is too wide for the slits of paper models: outlines are drawn without it. Cut them with a laser or a knife"
+        ))
+    }
+
     /// Faces of the mesh that visit a vertex twice and are no panels with holes.
     pub(super) fn untouched(faces: usize) -> Fault {
         let faces = words::count(faces, "face has", "faces have");

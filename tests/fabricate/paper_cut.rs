@@ -105,6 +105,16 @@ fn a_piece_as_large_as_the_sheet_lies_on_it_with_its_kerf() {
     }
 }
 
+#[test]
+fn a_cut_that_is_too_wide_for_the_slits_of_nets_is_told_and_not_allowed_for() {
+    let mesh = super::paper::two_squares(5.0);
+    let [thin, wide] = [0.0, 3.0]
+        .map(|kerf| build(&mesh, &BuildSettings { scale: 50.0, kerf, ..settings(Pieces::Nets) }));
+    assert_eq!(thin.parts[0].outline, wide.parts[0].outline);
+    assert!(thin.faults.is_empty());
+    assert!(wide.faults[0].to_string().starts_with("a cut that is 3 mm wide"), "{:?}", wide.faults);
+}
+
 /// Two surfaces with slots: one of flat quads, and one of triangles.
 fn surfaces() -> [(Mesh, Pieces); 2] {
     [(revolution(9, 7), Pieces::Strips), (waves(), Pieces::Nets)]

@@ -9,7 +9,7 @@ use super::lettering::{LEAST, strokes, text_width, upright};
 use super::part::Hole;
 use super::text_box::TextBox;
 use crate::fabricate::panel::{direction_of, roomiest_point_beside, sides};
-use crate::math::plane::{Point2, distance, dot, rotated};
+use crate::math::plane::{Point2, distance, dot};
 
 /// Largest height of neighbours' names, in mm.
 pub(super) const TALLEST: f64 = 8.0;
@@ -236,6 +236,7 @@ fn middle(outline: &[Point2]) -> Point2 {
 mod tests {
     use super::*;
     use crate::fabricate::sheet::beside_edge::is_nearest;
+    use crate::math::plane::rotated;
 
     /// Width and height of polylines.
     fn extent(lines: &[Vec<Point2>]) -> [f64; 2] {
