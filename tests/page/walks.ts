@@ -507,7 +507,7 @@ export const walks: Record<string, State[]> = {
       name: 'a lesson, of which a line is over the view',
       only: 'phone',
       reach: async (page) => {
-        await openExample(page, 'Lesson: a glass roof');
+        await openExample(page, 'Exercise: a glass roof');
         await expect(page.getByRole('button', { name: /goals satisfied/ })).toBeVisible();
       },
     },
@@ -524,7 +524,7 @@ export const walks: Record<string, State[]> = {
     {
       name: 'a lesson whose goals are missed',
       reach: async (page) => {
-        await openExample(page, 'Lesson: a glass roof of flat panes');
+        await openExample(page, 'Exercise: a glass roof of flat panes');
         await runToTheEnd(page);
         await showStep(page, 'Open');
         const lesson = page.getByRole('region', { name: 'Lesson' });
