@@ -210,7 +210,14 @@ test('settings are saved in the scene and can be undone; parts and panels are se
   for (const [name, label] of Object.entries(choices))
     await partsPanel(page).getByLabel(name, { exact: true }).selectOption({ label });
   await waitForState(page, (now) => now.build?.sheet_mm[0] === 600);
-  const chosen = { material: 'plywood', thickness: 4, kerf: 0.15, gap: 1, sheet: [600, 400] };
+  const chosen = {
+    material: 'plywood',
+    thickness: 4,
+    bend: 240,
+    kerf: 0.15,
+    gap: 1,
+    sheet: [600, 400],
+  };
   expect((await sceneOf(page)).build).toEqual(chosen);
   for (let step = 0; step < 3; step++) await page.getByRole('button', { name: 'Undo' }).click();
   await expect.poll(async () => (await sceneOf(page)).build).toEqual(before);
