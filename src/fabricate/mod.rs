@@ -47,6 +47,7 @@
 //! | `output` | all files of a build |
 
 mod advice;
+mod advised;
 mod alike;
 pub mod beam;
 mod boxes;
@@ -80,7 +81,8 @@ mod tables;
 mod tighten;
 mod view_axes;
 
-pub use advice::{Advice, AdvisedValue, SettingValue};
+pub use advice::Advice;
+pub use advised::{AdvisedValue, SettingValue};
 pub use alike::Types;
 pub use build::{Build, CutDisc, CutPanel, LeftOut, NotCut, Splice, unit_of};
 pub use build_words::{BuildWords, CardWords, CheckWords};

@@ -1,6 +1,6 @@
 //! Suggestions for numbers of the build check that exceed their limits: constraints for the solver.
 
-use super::advice::{AdvisedValue, SettingValue};
+use super::advised::{AdvisedValue, SettingValue};
 use super::build::{Build, allowed};
 use super::check_card::CheckRow;
 use super::offset::{Closing, Closings, Reason};

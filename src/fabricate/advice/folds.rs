@@ -1,6 +1,7 @@
 //! Advice on how card is folded, by its thickness.
 
-use super::{Advice, AdvisedValue, SettingValue};
+use super::Advice;
+use crate::fabricate::advised::{AdvisedValue, SettingValue};
 use crate::fabricate::build::Build;
 use crate::fabricate::paper::{Card, FoldKind, PaperModel, PaperSize};
 use crate::fabricate::report::JOINT_STEP;

@@ -1,6 +1,7 @@
 //! Advice on what joins parts: plates behind the seams of panels in pieces, and node discs of fins.
 
-use super::{Advice, AdvisedValue};
+use super::Advice;
+use crate::fabricate::advised::AdvisedValue;
 use crate::fabricate::build::Build;
 use crate::fabricate::panel::distinct_corners;
 use crate::fabricate::report::BuildReport;

@@ -3,6 +3,7 @@
 mod folds;
 mod joining;
 
+use super::advised::{AdvisedValue, SettingValue};
 use super::beam::Frame;
 use super::build::Build;
 use super::panel::smallest_box_within;
@@ -28,48 +29,6 @@ pub struct Advice {
     pub words: String,
     /// Each of them helps.
     pub choices: Vec<AdvisedValue>,
-}
-
-/// A value of a setting.
-#[derive(Clone, Debug, PartialEq, Serialize)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify), tsify(missing_as_null))]
-pub struct AdvisedValue {
-    /// The name of a button that sets it.
-    pub label: String,
-    /// The setting, by its id among those of Build.
-    pub setting: &'static str,
-    /// The value, as in a scene; null for what an absent one stands for.
-    pub value: Option<SettingValue>,
-}
-
-/// A value of a setting, as in a scene.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
-#[serde(untagged)]
-#[cfg_attr(target_arch = "wasm32", derive(tsify::Tsify))]
-pub enum SettingValue {
-    /// A number, in the unit of the setting.
-    Number(f64),
-    /// One of the words of a choice.
-    Word(&'static str),
-}
-
-impl std::fmt::Display for SettingValue {
-    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        match self {
-            SettingValue::Number(number) => number.fmt(f),
-            SettingValue::Word(word) => f.write_str(word),
-        }
-    }
-}
-
-impl AdvisedValue {
-    fn number(label: String, setting: &'static str, value: f64) -> AdvisedValue {
-        AdvisedValue { label, setting, value: Some(SettingValue::Number(value)) }
-    }
-
-    fn scale(denominator: f64) -> AdvisedValue {
-        AdvisedValue::number(format!("Scale 1:{denominator}"), "scale", denominator)
-    }
 }
 
 impl Build {

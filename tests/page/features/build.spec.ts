@@ -300,7 +300,7 @@ test('card that is too thick for creases is scored, and paper is joined by tongu
   await panel.getByLabel('Make').selectOption('paper');
   await waitForState(page, (now) => now.build?.product === 'paper');
   await setField(page, 'Scale 1 :', 20);
-  await panel.getByLabel('Cut edges').selectOption('slots');
+  await (await settingOf(page, 'Cut edges')).selectOption('slots');
   await waitForState(page, (now) => (now.build?.paper?.tongues ?? 0) > 0);
   await expect(panel).toContainText(/\d+ tongues?/);
   await setField(page, 'Thickness, mm', 1);

@@ -44,7 +44,7 @@ const expectGoals = (page: Page, words: string) => expect(lesson(page)).toContai
 async function openBuild(page: Page) {
   await page.getByRole('button', { name: 'Build', exact: true }).click();
   const panel = page.getByRole('region', { name: 'Build: parts and sheets' });
-  await expect(panel.getByRole('button', { name: /^Beam warp/ })).toBeVisible();
+  await expect(panel.getByRole('button', { name: /^Warped beams/ })).toBeVisible();
   return panel;
 }
 
@@ -116,7 +116,7 @@ test('Lesson: offsets and beams: beams are flat once panels are exactly circular
   page,
 }) => {
   await open(page, 'Lesson: offsets and beams');
-  const rows = ['Beam warp', 'Offset error'];
+  const rows = ['Warped beams', 'Uneven offset'];
   await reads(page, 'Build', ...rows, 'Run', 'Circle', 'Required', 'Exact');
   const panel = await openBuild(page);
   for (const row of rows) await panel.getByRole('button', { name: new RegExp(`^${row}`) }).click();

@@ -53,9 +53,9 @@ pub(super) const OFFSETS: Example = Example {
 
 const OFFSETS_TEXT: &str = "A roof has thickness. Beams stand on its edges, and their other sides are the edges of a second layer, parallel to those of the first. Between two parallel edges a beam is flat, so that it can be cut from a plate, and the beams of a node meet in one axis, without twist. If the corners of every panel lie on a circle, there is such a layer whose nodes are all equally far from those of the first, an offset. Otherwise beams are warped, or the distance varies from node to node.
 
-1. Press Build. The check measures the beams of the roof as it is drawn: Beam warp says how far the worst beam is from flat, Offset error how far the worst node is from the distance. Press a row to see where.
+1. Press Build. The check measures the beams of the roof as it is drawn: Warped beams says how far the worst beam is from flat, Uneven offset how far the worst node is from the distance. Press a row to see where.
 2. Press Run. The corners come close to circles and the beams close to flat, but the first goal is still missed.
-3. Under Shape, press Circle in the list, and set Required to Exact. Beam warp and Offset error vanish together: there is an offset.";
+3. Under Shape, press Circle in the list, and set Required to Exact. Warped beams and Uneven offset vanish together: there is an offset.";
 
 /// A roof with beams on its edges.
 fn offsets(scene: &mut Scene) -> Mesh {
