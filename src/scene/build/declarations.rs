@@ -100,7 +100,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(Parts, "pieces", "Pieces", PIECES, "Nets, or strips of quads in one direction.")
         .of(&[Paper]),
     setting(
-        Parts,
+        Model,
         "seams",
         "Seams",
         BuildForm::Edges,
