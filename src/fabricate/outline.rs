@@ -58,7 +58,7 @@ fn why_no_outline(panel: &[Point2], by: &[f64]) -> &'static str {
     } else if by.iter().all(|by| *by < 0.0) {
         "a notch in it is too narrow for the kerf"
     } else {
-        "it is too small for the joint"
+        "it is too small for the joint or the setback"
     }
 }
 

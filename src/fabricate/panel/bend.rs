@@ -18,11 +18,10 @@ pub(in crate::fabricate) struct Halves {
 
 /// The radius to which a panel with these corners is bent; infinite if it is flat.
 fn bending_radius(corners: [Vec3<f64>; 4]) -> f64 {
-    let away = (0..4).map(|k| {
-        let [a, b, c, d] = [0, 1, 2, 3].map(|step| corners[(k + step) % 4]);
-        (a - b).dot(unit((c - b).cross(d - b))).abs()
-    });
-    let away = away.fold(0.0, f64::max);
+    // The distance of the diagonals, of which each corner of a parallelogram is twice as far away. Three
+    // corners that are nearly in line have no plane.
+    let [a, b, c, d] = corners;
+    let away = 2.0 * (b - a).dot(unit((c - a).cross(d - b))).abs();
     let diagonal = |k: usize| (corners[k + 2] - corners[k]).length_squared();
     let shorter = diagonal(0).min(diagonal(1));
     if away > 0.0 { 0.5 * shorter / away } else { f64::INFINITY }

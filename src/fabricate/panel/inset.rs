@@ -88,16 +88,24 @@ fn is_apart(polygon: &[Point2], moved: &[Point2], edges: &[Edge], left: &[usize]
         let side = [of[k], of[(k + 1) % of.len()]];
         distance_to_outline(&side, point) >= (1.0 - ROUNDING) * by.abs()
     };
-    let is_inwards = edges.iter().all(|edge| edge.by >= 0.0);
+    // Where some sides move inwards and others outwards, corners may be on either side.
+    let moves =
+        |inwards: bool| edges.iter().any(|edge| edge.by != 0.0 && (edge.by > 0.0) == inwards);
+    let (is_inwards, is_mixed) = (!moves(false), moves(true) && moves(false));
     let is_beside = |p: Point2| {
-        is_inside(polygon, p) == is_inwards
+        is_mixed
+            || is_inside(polygon, p) == is_inwards
             || edges.iter().any(|edge| edge.by == 0.0) && distance_to_outline(polygon, p) < ROUNDING
     };
     moved.iter().all(|&p| {
         is_beside(p) && edges.iter().enumerate().all(|(k, edge)| keeps(polygon, k, edge.by, p))
-    }) && polygon
-        .iter()
-        .all(|&p| left.iter().enumerate().all(|(k, &edge)| keeps(moved, k, edges[edge].by, p)))
+    }) && polygon.iter().enumerate().all(|(j, &p)| {
+        // A corner is no farther from what is left than its own sides move.
+        let before = &edges[(j + edges.len() - 1) % edges.len()];
+        let own = edges[j].by.abs().min(before.by.abs());
+        let keeps = |(k, &edge): (usize, &usize)| keeps(moved, k, edges[edge].by.abs().min(own), p);
+        left.iter().enumerate().all(keeps)
+    })
 }
 
 /// The distances of the sides of a polygon, the larger one for sides that are in line: with different ones

@@ -7,7 +7,7 @@ use crate::math::plane::Point2;
 /// The lines of an arrow in this direction, as long as a letter is high, and its box, beside the name,
 /// whose box is the first of those taken; none without room.
 pub(super) fn arrow_beside_name(
-    outline: &[Point2],
+    rings: &[&[Point2]],
     taken: &[TextBox],
     height: f64,
     along: Point2,
@@ -32,8 +32,8 @@ pub(super) fn arrow_beside_name(
     let has_room = |found: &TextBox| {
         let tip = [0, 1].map(|x| found.centre[x] + half[0] * along[x]);
         taken.iter().all(|other| found.is_apart(other))
-            && found.is_in(outline)
-            && distance_to_outline(outline, tip) >= 0.2 * height
+            && found.is_on(rings)
+            && rings.iter().all(|ring| distance_to_outline(ring, tip) >= 0.2 * height)
     };
     let found = beside.into_iter().find(has_room)?;
     let at = |x: f64, y: f64| [found.centre[0] + c * x - s * y, found.centre[1] + s * x + c * y];

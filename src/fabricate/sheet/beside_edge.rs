@@ -30,7 +30,7 @@ pub(super) struct BesideEdge {
 /// if it would be unreadable, or nearer to one of the `possible_sides`, with whose name it could be
 /// confused, than to its edge.
 pub(super) fn beside_edge(
-    outline: &[Point2],
+    rings: &[&[Point2]],
     ([p, q], possible_sides): ([Point2; 2], &[[Point2; 2]]),
     (name, tallest): (&str, f64),
     turn: Point2,
@@ -63,7 +63,7 @@ pub(super) fn beside_edge(
                 for share in if is_tall { &SHARES[..5] } else { &SHARES[..] } {
                     let centre = [0, 1].map(|x| p[x] + share * (q[x] - p[x]) + away * inwards[x]);
                     let own = TextBox::of_text(name, height, centre, upright(direction, turn));
-                    if own.is_in(outline)
+                    if own.is_on(rings)
                         && taken.iter().all(|other| own.is_apart(other))
                         && is_nearest([p, q], possible_sides, centre)
                     {

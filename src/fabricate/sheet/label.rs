@@ -112,7 +112,8 @@ fn label_of_height(
     let longest = longest.unwrap_or(0);
     let across = direction_of(outline[longest], outline[(longest + 1) % n]);
     let beside = (OF_RADIUS * radius).clamp(LEAST, TALLEST);
-    let whole = with_openings(outline, holes);
+    let rings: Vec<&[Point2]> =
+        [outline].into_iter().chain(holes.iter().filter_map(Hole::as_opening)).collect();
     let others = holes.iter().filter(|hole| hole.as_opening().is_none());
     let mut taken: Vec<TextBox> = others.map(TextBox::of_hole).collect();
     let mut height = own * beside;
@@ -127,7 +128,7 @@ fn label_of_height(
             .into_iter()
             .flat_map(|centre| directions.iter().map(move |&along| (centre, along)))
             .map(|(centre, along)| TextBox::of_text(name, height, centre, along))
-            .find(|own| own.is_in(&whole) && taken.iter().all(|hole| own.is_apart(hole)));
+            .find(|own| own.is_on(&rings) && taken.iter().all(|hole| own.is_apart(hole)));
         if found.is_some() || height <= LEAST {
             break found;
         }
@@ -137,7 +138,7 @@ fn label_of_height(
     labels.lines.extend(strokes(name, height, own.centre, own.along));
     labels.texts.push(name.to_owned());
     taken.insert(0, own);
-    let drawn = arrow.and_then(|way| arrow_beside_name(&whole, &taken, height, way));
+    let drawn = arrow.and_then(|way| arrow_beside_name(&rings, &taken, height, way));
     let has_arrow = drawn.is_some();
     if let Some((lines, own)) = drawn {
         labels.lines.extend(lines);
@@ -147,11 +148,13 @@ fn label_of_height(
     let mut beside_edges: Vec<BesideEdge> = Vec::new();
     let is_possible = |i: usize| !is_oriented || matches!(neighbours.get(i), Some(Some(_)));
     let possible_sides = sides(outline).enumerate().filter(|&(i, _)| is_possible(i));
-    let possible_sides: Vec<[Point2; 2]> = possible_sides.map(|(_, side)| side).collect();
+    let of_openings = rings[1..].iter().flat_map(|&opening| sides(opening));
+    let possible_sides: Vec<[Point2; 2]> =
+        possible_sides.map(|(_, side)| side).chain(of_openings).collect();
     for &(edge, neighbour, bevel) in &named_sides {
         let tallest = beside.min(height);
         let found = beside_edge(
-            &whole,
+            &rings,
             (edge, &possible_sides),
             (neighbour, tallest),
             turn,
@@ -174,7 +177,7 @@ fn label_of_height(
         let mut others = taken.clone();
         others.swap_remove(*at);
         let found = beside_edge(
-            &whole,
+            &rings,
             (*edge, &possible_sides),
             (&longer, *height),
             turn,
@@ -192,22 +195,6 @@ fn label_of_height(
         labels.lines.push(underline(own, text_width(name, height), height));
     }
     (labels, has_arrow)
-}
-
-/// An outline, and over bridges around the holes that a panel has in the model, in the other direction: what
-/// lies in them is outside.
-fn with_openings(outline: &[Point2], holes: &[Hole]) -> Vec<Point2> {
-    let mut whole = outline.to_vec();
-    for opening in holes.iter().filter_map(Hole::as_opening) {
-        let mut around: Vec<Point2> = opening.iter().rev().copied().collect();
-        let nearest = (0..around.len()).min_by(|&a, &b| {
-            let away = |k: usize| distance(outline[0], around[k]);
-            away(a).total_cmp(&away(b))
-        });
-        around.rotate_left(nearest.unwrap_or(0));
-        whole.extend([outline[0]].iter().chain(&around).chain(&around[..1]));
-    }
-    whole
 }
 
 /// A line below the text of a box.

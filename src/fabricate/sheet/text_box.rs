@@ -74,30 +74,43 @@ impl TextBox {
         })
     }
 
+    /// Whether it lies on a part with this outline, its first ring, and beside the openings in it.
+    pub(super) fn is_on(&self, rings: &[&[Point2]]) -> bool {
+        let is_beside = |opening: &&[Point2]| {
+            // An opening inside it has sides that enter it.
+            !self.corners().iter().any(|&corner| is_inside(opening, corner))
+                && !sides(opening).any(|side| self.is_entered_by(side))
+        };
+        rings.split_first().is_some_and(|(outline, openings)| {
+            self.is_in(outline) && openings.iter().all(is_beside)
+        })
+    }
+
     /// Whether it lies in a polygon: its corners do, and no side of the polygon enters it, as one of
     /// a narrow notch may do although no corner is in it.
-    pub(super) fn is_in(&self, outline: &[Point2]) -> bool {
-        let inside = self.corners().iter().all(|&corner| is_inside(outline, corner));
+    fn is_in(&self, outline: &[Point2]) -> bool {
+        self.corners().iter().all(|&corner| is_inside(outline, corner))
+            && !sides(outline).any(|side| self.is_entered_by(side))
+    }
+
+    fn is_entered_by(&self, side: [Point2; 2]) -> bool {
         let [c, s] = self.along;
-        let enters = |side: [Point2; 2]| {
-            let [p, q] = side.map(|point| {
-                let [x, y] = minus(point, self.centre);
-                [c * x + s * y, c * y - s * x]
-            });
-            // The shares of the side between which it is within the bounds of each axis.
-            let (mut from, mut to) = (0.0_f64, 1.0_f64);
-            for k in 0..2 {
-                let (step, half) = (q[k] - p[k], self.half[k]);
-                if step != 0.0 {
-                    let [a, b] = [(-half - p[k]) / step, (half - p[k]) / step];
-                    (from, to) = (from.max(a.min(b)), to.min(a.max(b)));
-                } else if p[k].abs() >= half {
-                    return false;
-                }
+        let [p, q] = side.map(|point| {
+            let [x, y] = minus(point, self.centre);
+            [c * x + s * y, c * y - s * x]
+        });
+        // The shares of the side between which it is within the bounds of each axis.
+        let (mut from, mut to) = (0.0_f64, 1.0_f64);
+        for k in 0..2 {
+            let (step, half) = (q[k] - p[k], self.half[k]);
+            if step != 0.0 {
+                let [a, b] = [(-half - p[k]) / step, (half - p[k]) / step];
+                (from, to) = (from.max(a.min(b)), to.min(a.max(b)));
+            } else if p[k].abs() >= half {
+                return false;
             }
-            from < to
-        };
-        inside && !sides(outline).any(enters)
+        }
+        from < to
     }
 }
 
@@ -121,6 +134,22 @@ mod tests {
         for along in [[1.0, 0.0], [0.8, 0.6], [0.0, 1.0]] {
             assert!(!text([10.0, 10.0], along).is_in(&outline), "{along:?}");
             assert!(text([5.0, 10.0], along).is_in(&outline), "{along:?}");
+        }
+    }
+
+    #[test]
+    fn a_text_on_a_part_is_beside_its_openings_wherever_they_are() {
+        let square = |low: f64, high: f64| [[low, low], [high, low], [high, high], [low, high]];
+        let (outline, opening) = (square(0.0, 60.0), square(45.0, 55.0));
+        let text = |at: f64, half: [f64; 2]| TextBox { centre: [at, at], along: [1.0, 0.0], half };
+        for (at, half, is_on) in [
+            // On the way from the outline to the opening there is nothing.
+            (26.0, [12.0, 4.0], true),
+            (50.0, [1.0, 1.0], false),
+            (46.0, [4.0, 2.0], false),
+            (50.0, [8.0, 8.0], false),
+        ] {
+            assert_eq!(text(at, half).is_on(&[&outline, &opening]), is_on, "{at} {half:?}");
         }
     }
 }
