@@ -455,8 +455,11 @@ impl Build {
         let is_bevelled = self.parts.iter().any(|part| part.bevels.iter().any(Option::is_some));
         let bevels = "AT EDGES: BEVEL IN DEGREES, + CUTS THE INSIDE BACK";
         let bevels = if is_bevelled { bevels } else { "" };
-        let splices = "FRAME AT A SEAM: PLATE BEHIND IT";
-        let splices = if self.splices.is_empty() { "" } else { splices };
+        let splices = match (self.splices.is_empty(), self.is_turned_over()) {
+            (true, _) => "",
+            (false, false) => "FRAME AT A SEAM: PLATE BEHIND IT",
+            (false, true) => "FRAME AT A SEAM: PLATE ON IT",
+        };
         let words =
             [side, arrow, bevels, discs, splices].into_iter().filter(|words| !words.is_empty());
         words.collect::<Vec<_>>().join(", ")

@@ -118,11 +118,13 @@ impl Build {
     fn bevel(&self, e: u32) -> Option<f64> {
         /// Thinner panels are glued or taped with square sides, in mm.
         const THINNEST: f64 = 1.0;
-        let bevel = self.surface.bevel(&self.surface.edges[e as usize])?;
+        let bevel = self.surface.bevel(e)?;
         let turns = bevel / std::f64::consts::TAU;
         let thickness = self.settings.thickness;
         let cut_back = thickness * (sine(turns) / cosine(turns)).abs();
-        (thickness >= THINNEST && cut_back >= JOINT_STEP).then(|| bevel.to_degrees())
+        // Panels that lie on each other have none.
+        let is_cut = cosine(turns) > 1e-6 && cut_back >= JOINT_STEP;
+        (thickness >= THINNEST && is_cut).then(|| bevel.to_degrees())
     }
 
     /// The longer and the shorter side of the room for parts on a sheet.

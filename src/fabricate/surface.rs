@@ -336,9 +336,11 @@ impl PanelSurface {
     }
 
     /// The bevel of the sides of both panels at an edge in radians, from square, so that they meet in the
-    /// plane between them: half of the fold. Positive at a ridge, where the inside is cut back.
-    pub fn bevel(&self, edge: &Edge) -> Option<f64> {
-        self.fold(edge).map(|fold| 0.5 * fold)
+    /// plane between them: half of the fold. Positive at a ridge, where the inside is cut back. None where
+    /// more than two panels meet.
+    pub fn bevel(&self, e: u32) -> Option<f64> {
+        let is_of_two = self.panels.row(e as usize).len() <= 2;
+        self.fold(&self.edges[e as usize]).filter(|_| is_of_two).map(|fold| 0.5 * fold)
     }
 }
 

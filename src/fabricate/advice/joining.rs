@@ -8,7 +8,6 @@ use crate::fabricate::report::BuildReport;
 use crate::math::plane::{Point2, rotated};
 use crate::scene::{BuildSettings, Product};
 use crate::words;
-use std::collections::BTreeSet;
 
 /// Width of splice plates in thicknesses, as of the butt blocks of boats: ten on either side of the seam.
 /// And the least one in mm, for hands and letters.
@@ -23,11 +22,7 @@ impl Build {
             return None;
         }
         let width = (OF_THICKNESS * thickness).max(NARROWEST);
-        // Those of a type are cut alike.
-        let mut tried = BTreeSet::new();
-        let panels = self.layout.too_large.iter().flat_map(|&part| &self.parts[part].panels);
-        let mut large = panels
-            .filter(|&&panel| self.types.of[panel as usize].is_none_or(|kind| tried.insert(kind)));
+        let mut large = self.layout.too_large.iter().flat_map(|&part| &self.parts[part].panels);
         // Reliefs are cut into its pieces, not into the whole panel.
         let can_be_spliced = |&panel: &u32| {
             let turn = self.cut[panel as usize].as_ref()?.turn;

@@ -212,7 +212,8 @@ pub(super) fn tongue(
     let (of_flange, of_room) = (axis.slopes(&flange), there.slopes(&room));
     // Along the side of the flange: the one with the tongue runs the other way.
     let least = |k: usize| {
-        (of_flange[k] * width + around - fit.clearance).max(around).max(of_room[1 - k] * shortest)
+        let beside_flange = (of_flange[k] * width).max(0.0) + around + fit.clearance;
+        beside_flange.max(of_room[1 - k] * shortest)
     };
     let [from, to] = [least(0), axis.length - least(1)];
     let wide = (OF_EDGE * axis.length).min(WIDEST).max(fit.least(NARROWEST)).min(to - from);

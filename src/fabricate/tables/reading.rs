@@ -1,7 +1,7 @@
 //! What the numbers of the tables and the letters on the sheets mean, for whoever has only the files.
 
 /// What is explained, and in which words.
-const READING: [(&str, &str); 39] = [
+const READING: [(&str, &str); 40] = [
     ("edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     ("edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -10,7 +10,7 @@ const READING: [(&str, &str); 39] = [
     ),
     (
         "outlines",
-        "each side moved inwards by half the joint, outwards by half the kerf; reliefs for the tool added",
+        "each side moved inwards by half the joint, at the boundary by the setback, outwards by half the kerf; reliefs for the tool added",
     ),
     (
         "arrows",
@@ -23,6 +23,10 @@ const READING: [(&str, &str); 39] = [
     (
         "panels.csv name",
         "after a dot, the number of a piece: joined by plates, or if edges.csv has its name, a triangle",
+    ),
+    (
+        "types.csv type",
+        "of panels that are alike before joints: those at the boundary are cut otherwise if their setback is not half the joint",
     ),
     ("panels.csv order", "of assembly, from the supports upwards"),
     ("panels.csv corners", "of the whole panel, also for a piece; nodes too"),

@@ -51,7 +51,7 @@ pub(super) fn edges(build: &Build) -> String {
             Cell::from(beam.map(|beam| beam.height[1] * building)),
             Cell::from(beam.map(|beam| beam.warp * building)),
             Cell::from(beam.map(|beam| beam.twist_deg)),
-            Cell::from(build.surface.bevel(edge).map(f64::to_degrees)),
+            Cell::from(build.surface.bevel(e as u32).map(f64::to_degrees)),
         ]);
     }
     table.into_text()
