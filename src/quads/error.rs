@@ -63,8 +63,6 @@ pub enum RemeshError {
     NotMapped {
         /// Why.
         fault: MapFault,
-        /// The middle of the part.
-        at: Vec3<f64>,
     },
     /// No attempt gave a surface like the input.
     NotFollowed {
@@ -73,8 +71,8 @@ pub enum RemeshError {
         /// A smaller size of panels, in the unit of the mesh, which was not tried; none if it would be
         /// refused.
         smaller: Option<f64>,
-        /// The largest place where the map of the first attempt is flipped, or the middle of the part.
-        at: Vec3<f64>,
+        /// The largest place where the map of the first attempt is flipped, if it is anywhere.
+        at: Option<Vec3<f64>>,
     },
 }
 
@@ -86,9 +84,8 @@ impl RemeshError {
             | RemeshError::BranchingEdge { at, .. }
             | RemeshError::OneSided { at }
             | RemeshError::Opening { at, .. }
-            | RemeshError::NotMapped { at, .. }
-            | RemeshError::NotFollowed { at, .. }
             | RemeshError::SizeTooLarge { at, .. } => Some(at),
+            RemeshError::NotFollowed { at, .. } => at,
             _ => None,
         }
     }
@@ -148,7 +145,7 @@ impl RemeshError {
                     "panels of this size are too large for the surface, expected sides of {greatest} or less"
                 )
             }
-            RemeshError::NotMapped { fault, .. } => fault.to_string(),
+            RemeshError::NotMapped { fault } => fault.to_string(),
             RemeshError::Opening { length, greatest, stays, .. } => {
                 let greatest = side(greatest * (1.0 - SAFE));
                 let length = words::limit(words::rounded(*length, 3), units);
@@ -161,7 +158,7 @@ impl RemeshError {
                 )
             }
             RemeshError::NotFollowed { fault, smaller, .. } => {
-                let such = smaller.map(|size| format!(", such as sides of {}", side(size)));
+                let such = smaller.map(|size| format!(", perhaps with sides of {}", side(size)));
                 let such = such.unwrap_or_default();
                 format!(
                     "panels of this size cannot follow the surface ({fault}): expected smaller panels{such}"

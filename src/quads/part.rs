@@ -53,8 +53,6 @@ pub(super) struct Asked<'a> {
     pub(super) wanted: f64,
     /// The size of panels that is named if these cannot follow the part.
     pub(super) smaller: Option<f64>,
-    /// The middle of the part.
-    pub(super) middle: Vec3<f64>,
 }
 
 impl Asked<'_> {
@@ -68,7 +66,7 @@ impl Asked<'_> {
         let MapOptions { follow, direction, .. } = *self.options;
         let mut best: Option<(Part, MapNotes)> = None;
         // The first one, with its place.
-        let mut fault: Option<(ResultFault, Vec3<f64>)> = None;
+        let mut fault: Option<(ResultFault, Option<Vec3<f64>>)> = None;
         let mapped =
             mapper.maps([follow, direction, self.wanted], observer, &mut |prepared, map, notes| {
                 let level = notes.level;
@@ -83,7 +81,7 @@ impl Asked<'_> {
                         }
                     }
                     Err(own) => {
-                        fault.get_or_insert_with(|| (own, self.place(prepared, &notes)));
+                        fault.get_or_insert_with(|| (own, Asked::place(prepared, &notes)));
                     }
                 }
                 let is_late = best.is_some() && level >= LAST_RETRY;
@@ -91,7 +89,7 @@ impl Asked<'_> {
             });
         // What a later level fails at takes nothing from what was found.
         if best.is_none() {
-            mapped.map_err(|fault| RemeshError::NotMapped { fault, at: self.middle })?;
+            mapped.map_err(|fault| RemeshError::NotMapped { fault })?;
         }
         let Some((mut best, notes)) = best else {
             let (fault, at) = fault.expect("a map failed");
@@ -128,11 +126,11 @@ impl Asked<'_> {
         Ok(best)
     }
 
-    /// The largest place where a map is flipped; without one, the middle of the part.
-    fn place(&self, prepared: &Prepared, notes: &MapNotes) -> Vec3<f64> {
+    /// The largest place where a map is flipped.
+    fn place(prepared: &Prepared, notes: &MapNotes) -> Option<Vec3<f64>> {
         let at = |&triangle: &usize| prepared.surface.at(triangle, 0);
         let flipped: Vec<Vec3<f64>> = notes.flipped.iter().map(at).collect();
-        places(&flipped, NEAR * prepared.size).first().copied().unwrap_or(self.middle)
+        places(&flipped, NEAR * prepared.size).first().copied()
     }
 
     /// What comes of a map: without lines through flipped triangles if not with them.

@@ -118,7 +118,7 @@ impl Remesher {
             observer(RemeshStage::Prepare);
             let smaller = (SMALLER * size > SUGGESTED * least).then_some(SMALLER * size);
             let wanted = surface.area() / (size * size);
-            let asked = Asked { mesh, options, wanted, smaller, middle: surface.middle() };
+            let asked = Asked { mesh, options, wanted, smaller };
             let mut cover = |place: &mut Option<GridMapper>, longest_loop: f64| {
                 let mapper = match place {
                     Some(mapper) => mapper,
@@ -133,7 +133,7 @@ impl Remesher {
             let mut found = cover(first, SHORTEST_LOOP);
             if let Err(
                 RemeshError::NotFollowed { .. }
-                | RemeshError::NotMapped { fault: MapFault::TooManyIntegers, .. },
+                | RemeshError::NotMapped { fault: MapFault::TooManyIntegers },
             ) = found
                 && surface.covers_more([SHORTEST_LOOP, LONGER_LOOP].map(|panels| panels * size))
             {

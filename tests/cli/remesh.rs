@@ -118,7 +118,7 @@ fn what_remesh_cannot_do_is_one_line_and_no_file() {
         folder.run(&asked).refused(words);
     };
     refused(&["line.obj"], &["line.obj: ", "no faces"]);
-    refused(&["tube.obj", "--size", "9"], &["tube.obj: ", "too large", "or less", "it is at ("]);
+    refused(&["tube.obj", "--size", "9"], &["tube.obj: ", "too large", "or less", "; at ("]);
     refused(&["tube.obj", "--size", "1e-5"], &["tube.obj: ", "expected", "or more"]);
     assert_eq!(folder.files(), ["line.obj", "tube.obj"]);
     for (options, words) in [

@@ -143,7 +143,7 @@ fn refusal(error: &RemeshError, units: &str) -> String {
         None => error.words(units),
         Some(place) => {
             let [x, y, z] = [place.x, place.y, place.z].map(words::number);
-            format!("{}; it is at ({x}, {y}, {z})", error.words(units))
+            format!("{}; at ({x}, {y}, {z})", error.words(units))
         }
     }
 }

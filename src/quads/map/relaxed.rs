@@ -96,8 +96,8 @@ impl Relaxed {
     }
 
     /// Rounds at the scale for `wanted` quads times `factor`; anew with separations as long as points
-    /// or lines are rounded onto each other and the budget allows, then untangled. If creases are in the way, and may be dropped,
-    /// these are returned.
+    /// or lines are rounded onto each other and the budget allows, then untangled. If creases are in the
+    /// way, and may be dropped, these are returned.
     pub(super) fn round(
         &mut self,
         prepared: &Prepared,

@@ -226,26 +226,27 @@ fn carry_edges(edges: &[[u32; 2]], origins: &Origins, after: &Topology) -> (Rc<[
         [] => between(v),
         own => own,
     };
-    // The known old edge that a new one lies along.
-    let along = |&[p, q]: &[u32; 2]| {
+    // The known old edges that a new one lies along: several where vertices were merged.
+    let along = |&[p, q]: &[u32; 2]| -> Vec<[u32; 2]> {
         let [first, second] = if is_old(p) { [p, q] } else { [q, p] };
         if is_old(second) {
             let pairs = olds(p).iter().flat_map(|&a| olds(q).iter().map(move |&b| ordered([a, b])));
-            return pairs.into_iter().find(|edge| known.contains(edge));
+            return pairs.filter(|edge| known.contains(edge)).collect();
         }
-        let edge = <[u32; 2]>::try_from(between(second)).ok()?;
+        let Ok(edge) = <[u32; 2]>::try_from(between(second)) else { return Vec::new() };
         let is_on = match is_old(first) {
             true => olds(first).iter().any(|old| edge.contains(old)),
             false => between(first) == edge,
         };
-        (is_on && known.contains(&edge)).then_some(edge)
+        if is_on && known.contains(&edge) { vec![edge] } else { Vec::new() }
     };
     let sides = after.edges().iter().zip(after.edge_faces().iter());
-    let sides = sides.filter(|(_, faces)| !faces.is_empty()).map(|(ends, _)| ends);
-    let found: Vec<([u32; 2], [u32; 2])> =
-        sides.filter_map(|ends| Some((*ends, along(ends)?))).collect();
-    let left: BTreeSet<[u32; 2]> = found.iter().map(|(_, old)| *old).collect();
-    (found.into_iter().map(|(now, _)| now).collect(), known.len() - left.len())
+    // Along the boundary there is nothing to cut.
+    let sides = sides.filter(|(_, faces)| faces.len() > 1).map(|(ends, _)| ends);
+    let found: Vec<([u32; 2], Vec<[u32; 2]>)> = sides.map(|ends| (*ends, along(ends))).collect();
+    let left: BTreeSet<[u32; 2]> = found.iter().flat_map(|(_, old)| old).copied().collect();
+    let found = found.into_iter().filter(|(_, old)| !old.is_empty());
+    (found.map(|(now, _)| now).collect(), known.len() - left.len())
 }
 
 /// Number of handles on vertices that are now one with that of an earlier handle.

@@ -36,7 +36,7 @@ pub struct PanelLayouts {
     refused_at: Option<Vec3<f64>>,
 }
 
-/// The better choice at the boundary, and what the other one came to.
+/// The better choice at the boundary, and what came of the other.
 struct Best {
     layout: Rc<Layout>,
     /// None if it was not asked for.
