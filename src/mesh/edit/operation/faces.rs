@@ -114,13 +114,9 @@ pub(super) fn fill_holes(task: &Task<'_>) -> Result<Edited, OperationError> {
         let edge = topology.edge(a, b).expect("loops run along edges");
         topology.edge_faces().row(edge as usize)[0] as usize
     };
-    // An open chain, such as the rim of a wall on a floor, encloses no hole, and a hole in a face that is
-    // left as it is stays too.
-    let is_hole = |row: &&[u32]| {
-        let mut sides = polygon_sides(row);
-        topology.is_closed_loop(row) && sides.any(|side| face_at(side) < mesh.faces.len())
-    };
-    let loops: Vec<&[u32]> = topology.boundary_loops().iter().filter(is_hole).collect();
+    // An open chain, such as the rim of a wall on a floor, encloses no hole.
+    let loops = topology.boundary_loops().iter().filter(|row| topology.is_closed_loop(row));
+    let loops: Vec<&[u32]> = loops.collect();
     let is_picked = task.picked_vertices();
     let length = |corners: &[u32]| -> f64 {
         polygon_sides(corners).map(|[a, b]| (at(b) - at(a)).length()).sum()
@@ -135,7 +131,11 @@ pub(super) fn fill_holes(task: &Task<'_>) -> Result<Edited, OperationError> {
     }
     let is_outline = |i: usize| longest.values().any(|(_, outline)| *outline == i);
     let is_meant = |(i, corners): &(usize, &&[u32])| {
-        !is_outline(*i) && corners.iter().any(|&v| is_picked[v as usize])
+        // A hole in a face that is left as it is stays too.
+        let mut sides = polygon_sides(corners);
+        !is_outline(*i)
+            && sides.any(|side| face_at(side) < mesh.faces.len())
+            && corners.iter().any(|&v| is_picked[v as usize])
     };
     let holes: Vec<&[u32]> =
         loops.iter().enumerate().filter(is_meant).map(|(_, corners)| *corners).collect();
