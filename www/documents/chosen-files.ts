@@ -114,7 +114,7 @@ export function acceptDrops(overlay: HTMLElement, app: AppContext) {
     const chosen = [...files].filter(({ name }) => !folders.includes(name));
     const isBelow = event.clientY > FIT_FROM * window.innerHeight;
     // The surface is one file: several are a model, as anywhere else.
-    if (canFit() && isBelow && files.length === 1 && chosen.length === 1) {
+    if (store.get().document && isBelow && files.length === 1 && chosen.length === 1) {
       void actions.reportErrors(readSecondFile(FIT, chosen[0], app));
       return;
     }

@@ -27,9 +27,9 @@ export function reportCollapse({ store, alerts, actions }: AppContext, collapse:
           {
             label: 'Hold near original positions',
             action: async () => {
+              await actions.undo();
               // The run before may have collapsed the shape as well, as one of many single steps has.
-              do if (!(await actions.undo())) break;
-              while (await actions.ask.collapse());
+              if (await actions.ask.collapse()) await actions.reset();
               if ((await actions.edit('holdCloser')) !== undefined) actions.run();
             },
           },
