@@ -82,11 +82,11 @@ impl CheckRow {
         let [meaning, remedy] = match self.id {
             "beam_warp" => [
                 "How far the four corners of a beam are from one plane: a warped beam cannot be cut from a board.",
-                "Tighten the panels, or choose something else under “Measured at”.",
+                "Press “Meet the limits” if it is enabled, or choose something else under “Measured at”.",
             ],
             "distance_error" => [
                 "How much the distance between the shape and its offset differs from place to place.",
-                "Tighten the panels, or choose something else under “Measured at”.",
+                "Press “Meet the limits” if it is enabled, or choose something else under “Measured at”.",
             ],
             "lean" => [
                 "How far the axis of a node leans from the normal of the surface.",
@@ -98,7 +98,7 @@ impl CheckRow {
             ],
             _ => [
                 "How far the corners of a panel are from one plane: others cannot be cut from flat sheet.",
-                "Tighten the panels, or divide them into triangles, which are flat.",
+                "Press “Meet the limits” if it is enabled, or divide the panels into triangles, which are flat.",
             ],
         };
         let remedy = if self.met == Some(false) { remedy } else { "" };

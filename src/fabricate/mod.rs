@@ -33,6 +33,7 @@
 //! | `check_card` | the build check: five numbers with limits, and the elements that exceed them |
 //! | `build_words` | the report in words |
 //! | `advice` | values of settings with which parts can be cut and joined |
+//! | `advised` | values of settings that are advised, with the names of buttons |
 //! | `card` | the part of the report that is updated while the user moves the shape |
 //! | `layer` | the offset of a moving shape as points, failing sides of parts, for the view |
 //! | `numbers` | the numbers that a lesson can limit |

@@ -61,7 +61,7 @@ function hintOf(state: Readonly<State>, at: number) {
   const met =
     worstOf(state, about.id) === 0
       ? `${about.met[0].toUpperCase()}${about.met.slice(1)}, exactly.`
-      : `Wanted: ${about.met}.${isInLegend(state, about.id) ? ' The legend shows how far off the panels are.' : ''}`;
+      : `Wanted: ${about.met}.${state.display.legend && isInLegend(state, about.id) ? ' The legend shows how far off the panels are.' : ''}`;
   return !hasMoved(numbers) && at < 2 ? START : hints(met)[at];
 }
 

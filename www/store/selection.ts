@@ -43,7 +43,7 @@ const BRUSH = [4, 120];
 
 /** Returns the radius of the brush times a factor. */
 export const resizedBrush = (radius: number, factor: number) =>
-  Math.min(Math.max(Math.round(radius * factor), BRUSH[0]), BRUSH[1]);
+  Math.min(Math.max(radius * factor, BRUSH[0]), BRUSH[1]);
 
 /** Number of selected elements. */
 export function sizeOfSelection({ vertices, edges, faces }: Selection) {

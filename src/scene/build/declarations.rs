@@ -147,7 +147,7 @@ pub const BUILD_SETTINGS: &[BuildSetting] = &[
         "bend",
         "Least bending radius",
         number(Plain, FROM_0),
-        "In thicknesses; panels bent more are cut as two triangles. 0: none.",
+        "In thicknesses; quads bent more are cut as two triangles. 0: none.",
     )
     .of(&[Panels]),
     setting(

@@ -69,6 +69,7 @@ export function Settings({
           of={of}
           presets={presets.filter((preset) => preset.of === of)}
           settings={settings}
+          used={(key) => fields.some(({ id }) => keysOf(id)[0] === key)}
           onChoose={(values) => parts.change(values)}
           onOwn={show}
         />
@@ -91,26 +92,32 @@ function Preset({
   of,
   presets,
   settings,
+  used,
   onChoose,
   onOwn,
 }: {
   of: string;
   presets: BuildPreset[];
   settings: BuildSettings;
+  /** whether a setting is one of what is made */
+  used: (key: string) => boolean;
   onChoose: (values: Partial<BuildSettings>) => void;
   /** is called with the keys of the settings that presets set */
   onOwn: (keys: string[]) => void;
 }) {
-  const [isOwn, setOwn] = useState(false);
+  /** The settings for which values of one's own were chosen. */
+  const [own, setOwn] = useState<BuildSettings | null>(null);
+  const isOwn = own === settings;
   const id = `parts-preset-${of.toLowerCase().replace(' ', '-')}`;
   const chosen = presets.findIndex(({ values }) =>
     Object.entries(values).every(
-      ([key, value]) => JSON.stringify(inside(settings, key)) === JSON.stringify(value),
+      ([key, value]) =>
+        !used(key) || JSON.stringify(inside(settings, key)) === JSON.stringify(value),
     ),
   );
   const options = presets.map(({ label }, k) => [String(k), label] as const);
   function choose(value: string) {
-    setOwn(value === OWN);
+    setOwn(value === OWN ? settings : null);
     if (value === OWN) onOwn(Object.keys(presets[0].values));
     else onChoose(presets[Number(value)].values);
   }

@@ -21,7 +21,7 @@ export function Compare() {
         title="Shows the original as long as it is held"
         disabled={!state.document || !isDrawn(state)}
       >
-        Hold: original
+        Hold to see the original
       </button>
       <Checkbox
         label="Ghost of the original"

@@ -109,6 +109,14 @@ function Range() {
         >
           Fit range
         </Button>
+        {!about.signed && (
+          <Checkbox
+            label="Log scale"
+            title="Equal ratios have equal lengths on the scale"
+            checked={display.log}
+            onCheck={(log) => actions.display({ log })}
+          />
+        )}
       </div>
       {/* They have their own map. */}
       {!about.signed && (

@@ -128,14 +128,6 @@ function Values({ about, spread, model }: Of & { model: Loaded }) {
           <i class="front" /> front <i class="back" /> back of a face
         </p>
       )}
-      {!about.signed && (
-        <Checkbox
-          label="Log scale"
-          title="Equal ratios have equal lengths on the scale"
-          checked={display.log}
-          onCheck={(log) => actions.display({ log })}
-        />
-      )}
     </>
   );
 }

@@ -71,7 +71,7 @@ export function SelectBar() {
         step="2"
         aria-label="Brush radius"
         title={`Brush radius${singleKeys.on ? ' ([ and ])' : ''}`}
-        aria-valuetext={`${brush} pixels`}
+        aria-valuetext={`${Math.round(brush)} pixels`}
         value={brush}
         hidden={!selects || shape !== 'paint'}
         onInput={({ currentTarget }) => actions.look({ brush: currentTarget.valueAsNumber })}
