@@ -103,8 +103,8 @@ test('a shape that is exact already is not made exact once more', async () => {
   // Each run accepted it again as a change, and what was undone could not be redone.
   const panels = { kind: 'plane', enabled: true, require: { within: 1 } };
   const { messages } = await shown({ met: true }, [], null, [panels]);
-  const { words, offers } = messages.now.value ?? {};
-  assert.deepEqual([words, offers?.[0].label], ['not possible', 'Improve']);
+  const { result, words, offers } = messages.now.value ?? {};
+  assert.deepEqual([result, words, offers?.[0].label], ['not possible', '', 'Improve']);
 });
 
 test('colours that are shown again after the message go with the next change', async () => {

@@ -89,12 +89,12 @@ for (const [what, during] of [
 ] as const)
   test(`${what} ends a trial, and what was found is dropped`, async () => {
     const { made, steps, freed } = trials(during);
-    assert.equal(await made.exactOffer(() => true), null);
+    assert.equal(await made.exactOffer(() => true), undefined);
     assert.equal(steps(), 1);
     // A session with its factors stayed until there was another trial.
     assert.deepEqual(freed, ['exact']);
     const improving = trials(during);
-    assert.equal(await improving.made.improvement(() => true), null);
+    assert.equal(await improving.made.improvement(() => true), undefined);
     const helping = trials(during);
     assert.deepEqual(await helping.made.suggestions(), ['smooth less'], 'those found before it');
   });
@@ -120,7 +120,7 @@ test('another trial ends the one before', async () => {
   const { made, freed } = trials(() => {});
   const first = made.exactOffer(() => true);
   const second = made.improvement(() => true);
-  assert.deepEqual([await first, await second], [null, FOUND]);
+  assert.deepEqual([await first, await second], [undefined, FOUND]);
   assert.deepEqual(freed, ['improvement'], 'the copy is that of the second');
 });
 
