@@ -15,7 +15,6 @@ import {
 import { isDrawn } from '../../store/state.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton } from '../../ui/components/buttons.tsx';
-import { Checkbox } from '../../ui/components/fields.tsx';
 import { Bars, Outline } from '../../ui/components/histogram.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
 import { isEmbedded } from '../../ui/embedded.ts';
@@ -81,7 +80,7 @@ function Within({ about, spread }: Of) {
 }
 
 function Values({ about, spread, model }: Of & { model: Loaded }) {
-  const { store, actions } = useApp();
+  const { store } = useApp();
   const { state } = store;
   const background = useBackground();
   const { range, document, display } = state;
