@@ -86,7 +86,7 @@ impl Session {
     /// locks them, or the shape is exact already.
     ///
     /// # Errors
-    /// As [`Session::meeting`].
+    /// As [`Session::solve`].
     pub fn exact_trial(&self) -> Result<Option<ExactTrial>, Error> {
         let rows: Vec<usize> = self.rows_within().collect();
         let is_locked = check_lock(Lock::Constraints, self.document()).is_err();
@@ -101,7 +101,7 @@ impl Session {
     /// are not met now.
     ///
     /// # Errors
-    /// As [`Session::meeting`].
+    /// As [`Session::solve`].
     pub fn improvement(&self) -> Result<Option<ExactTrial>, Error> {
         let Some(required) = self.met_requirements() else { return Ok(None) };
         let Some(mut exact) = self.meeting_with(&required)? else { return Ok(None) };
@@ -186,7 +186,7 @@ impl ExactTrial {
     /// Runs one step, in the `session` of the trial; returns whether there is more to do.
     ///
     /// # Errors
-    /// As [`Exact::step`] and [`Session::meeting`].
+    /// As [`Exact::step`] and [`Session::solve`].
     pub fn step(&mut self, session: &Session) -> Result<bool, Error> {
         // If the polish does not fit in memory, a long approach would end far from exact.
         if matches!(self.stage, TrialStage::Ended) || !self.exact.can_polish() {
