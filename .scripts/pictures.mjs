@@ -29,7 +29,7 @@ const BAR = 45;
  * the model, and pixels per CSS pixel.
  */
 const WINDOWS = {
-  wide: { viewport: { width: 1440, height: 900 }, part: 700, scale: 1, quality: 0.4 },
+  wide: { viewport: { width: 1440, height: 900 }, part: 700, scale: 1, quality: 0.3 },
   narrow: { viewport: { width: 390, height: 844 }, part: 480, scale: 2, quality: 0.55 },
 };
 /** Width of the soft edge of a picture of the first screen, in CSS pixels. */
