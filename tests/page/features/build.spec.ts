@@ -164,7 +164,7 @@ test('failed checks are red on the sheet at once, and a press makes the parts fi
   await expect(page.getByRole('alert')).toContainText('Margin: found 5000');
   await partsPanel(page).getByText('Cutting', { exact: true }).click();
 
-  await partsPanel(page).getByRole('button', { name: 'Meet the limits' }).click();
+  await partsPanel(page).getByRole('button', { name: 'Meet the limits', exact: true }).click();
   const tightened = await waitForState(
     page,
     (now) => !now.running && now.build?.check.every(({ met }) => met),
@@ -174,7 +174,9 @@ test('failed checks are red on the sheet at once, and a press makes the parts fi
   await expect(page.getByRole('checkbox', { name: 'Best-fitting shapes' })).toBeChecked();
   await expect.poll(failed).toEqual([]);
   await expect(partsPanel(page).getByRole('button', { name: 'Corners' })).toContainText('exact');
-  await expect(partsPanel(page).getByRole('button', { name: 'Meet the limits' })).toBeDisabled();
+  await expect(
+    partsPanel(page).getByRole('button', { name: 'Meet the limits', exact: true }),
+  ).toBeDisabled();
 });
 
 test('what would be too small or would collide is said, with a button that sets it right', async ({
@@ -281,8 +283,7 @@ test('a material, a machine and a sheet of one’s own can be chosen', async ({ 
     await expect(partsPanel(page).getByLabel(first)).toBeFocused();
   }
   await setField(page, 'Kerf, mm', 0.4);
-  await waitForState(page, (now) => now.build !== null);
-  expect((await sceneOf(page)).build).toMatchObject({ kerf: 0.4 });
+  await expect.poll(async () => (await sceneOf(page)).build).toMatchObject({ kerf: 0.4 });
   // A preset is chosen again by its name.
   const machine = partsPanel(page).getByLabel('Machine', { exact: true });
   await machine.selectOption('Laser');
