@@ -97,7 +97,7 @@ const PAGES: BuildForm =
 /// All settings of Build, in the order in which hosts list them.
 pub const BUILD_SETTINGS: &[BuildSetting] = &[
     setting(Model, "product", "Make", PRODUCTS, "What is made of the shape."),
-    setting(Parts, "pieces", "Pieces", PIECES, "Nets, or strips of quads in one direction.")
+    setting(Model, "pieces", "Pieces", PIECES, "Nets, or strips of quads in one direction.")
         .of(&[Paper]),
     setting(
         Model,

@@ -69,6 +69,10 @@ test('one press makes an opened mesh circular, and a verdict shows how far it mo
   await expect(offer(page).getByText(/panels are flat within (?!1 mm)/)).toBeVisible();
   await page.getByRole('application', { name: '3D view' }).focus();
   await page.keyboard.press('Control+a');
+  await waitForState(
+    page,
+    ({ selection }) => selection.vertices.length + selection.faces.length > 0,
+  );
   // The selection first, then the card.
   await page.keyboard.press('Escape');
   await expect(offer(page)).toBeVisible();
