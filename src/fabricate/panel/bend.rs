@@ -71,4 +71,12 @@ mod tests {
         let flat = square.map(|point| Vec3::new(point.x, point.y, 0.0));
         assert_eq!(bending_radius(flat), f64::INFINITY);
     }
+
+    #[test]
+    fn three_corners_that_are_nearly_in_line_bend_nothing() {
+        // Their plane stands upright, and the fourth corner was 2 m away from it.
+        let corners = [[0.0, 0.0, 0.0], [1.0, 0.0, 1e-6], [2.0, 0.0, 0.0], [1.0, 2.0, 0.0]];
+        let radius = bending_radius(corners.map(|[x, y, z]| Vec3::new(x, y, z)));
+        assert!(radius > 1e5, "{radius}");
+    }
 }

@@ -182,6 +182,19 @@ mod tests {
     }
 
     #[test]
+    fn a_side_vanishes_also_where_sides_move_by_their_own_distances_or_both_ways() {
+        // A corner whose own sides stay was asked to be as far from the boundary as that moves.
+        let panel = [[0.0, 0.0], [100.0, 0.0], [100.0, 1.0], [90.0, 60.0], [0.0, 60.0]];
+        let found = inset_sides(&panel, &[5.0, 0.0, 0.0, 0.0, 0.0]).unwrap();
+        assert!(found.iter().all(|corner| corner[1] > 5.0 - 1e-9), "{found:?}");
+        // A joint inwards, and the kerf outwards at the boundary: corners lie on both sides.
+        let chamfered = [[0.0, 0.0], [100.0, 0.0], [100.0, 59.0], [99.0, 60.0], [0.0, 60.0]];
+        let found = inset_sides(&chamfered, &[-0.075, 4.925, 4.925, 4.925, 4.925]).unwrap();
+        let expected = (100.0 - 2.0 * 4.925) * (60.0 - 4.925 + 0.075);
+        assert!((area(&found) - expected).abs() < 1e-9, "{found:?}");
+    }
+
+    #[test]
     fn a_short_edge_vanishes_and_the_rest_is_inset() {
         // A square with a chamfer, of which the inset has no trace, wherever the outline starts.
         let chamfered = [[0.0, 0.0], [10.0, 0.0], [10.0, 9.9], [9.9, 10.0], [0.0, 10.0]];
