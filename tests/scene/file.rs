@@ -1,6 +1,7 @@
 //! The scene file: reading, refusals and their messages, and writing without loss.
 
 use crate::scene::asked::constraint;
+use crate::support::time::takes_less;
 use shape_up::constraint::{Element, Selector, Set};
 use shape_up::mesh::{Group, GroupKeyword, Mesh, Ragged};
 use shape_up::scene::{
@@ -8,7 +9,6 @@ use shape_up::scene::{
     ConstraintSpec, EasedFaces, Factorization, HandleSpec, Hold, MeshSource, Require, Scene,
     SceneError, Smoothness, SmoothnessOf, SolverSettings, Up, Weighting, Weights,
 };
-use std::time::Instant;
 
 /// Two squares side by side.
 fn two_squares() -> Mesh {
@@ -333,16 +333,8 @@ fn a_group_for_each_panel_takes_hardly_longer_to_write_than_the_panels() {
     };
     let grouped = Mesh { groups: (0..20_000).map(named).collect(), ..panels.clone() };
     let scene = Scene::new(MeshSource::Inline(Box::default()));
-    let seconds = |mesh: &Mesh| {
-        let begun = Instant::now();
-        assert!(!scene.to_json(mesh).is_empty());
-        begun.elapsed().as_secs_f64()
-    };
-    // Before and after, because other tests run beside this one.
-    let before = seconds(&panels);
-    let took = seconds(&grouped);
-    let unit = before.max(seconds(&panels));
-    assert!(took < 12.0 * unit, "{took} s, without groups {unit} s");
+    let write = |mesh: &Mesh| assert!(!scene.to_json(mesh).is_empty());
+    takes_less(12.0, || write(&grouped), || write(&panels));
 }
 
 #[test]

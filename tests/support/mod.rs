@@ -11,6 +11,7 @@ pub(crate) mod random;
 pub(crate) mod shapes;
 pub(crate) mod shared;
 pub(crate) mod sources;
+pub(crate) mod time;
 
 use shape_up::mesh::Point;
 use shape_up::session::{DragPhase, Error, Session};

@@ -1,6 +1,7 @@
 //! Pointing and selecting in the view: vertices, edges and faces, in boxes and by clicks.
 
 use super::stage::{CANVAS, bump, rectangle, state, two_floors};
+use crate::support::time::takes_less;
 use glam::Vec2;
 use shape_up::view::state::{Display, RegionMode, ViewState};
 
@@ -62,17 +63,10 @@ fn a_click_on_a_panel_that_hides_very_many_vertices_tries_few_triangles() {
     state.set_mesh(rows, (vec![], vec![]), &positions).unwrap();
     state.preset("top").unwrap();
     let at = state.camera().eye().project(state.mesh().positions[0]).0;
-    let seconds = |one: &dyn Fn() -> Option<u32>| {
-        let begun = std::time::Instant::now();
-        let found = one();
-        (begun.elapsed().as_secs_f64(), found)
-    };
-    let (of_face, panel) = seconds(&|| state.pick_face(at));
-    assert_eq!(panel, Some(quads as u32 - 1));
-    let (of_vertex, hidden) = seconds(&|| state.pick_vertex(at, 8.0));
-    assert_eq!(hidden, None);
+    let panel = || assert_eq!(state.pick_face(at), Some(quads as u32 - 1));
+    let hidden = || assert_eq!(state.pick_vertex(at, 8.0), None);
     // Thousands of vertices are near, and all triangles.
-    assert!(of_vertex < 60.0 * of_face, "{of_vertex} s beside {of_face} s");
+    takes_less(60.0, hidden, panel);
 }
 
 /// `n` by `n` quads, a tenth of a unit wide, below a panel ten units wide.
