@@ -35,10 +35,10 @@ const executablePath = (await findBrowser()) ?? undefined;
 const launched = (args: string[]) => ({ launchOptions: { executablePath, args } });
 
 /**
- * A function of a module is examined only when it is called, and has to run a hundred times as long
- * as usual before it is compiled once more, for speed: most pages of the tests do not live that long.
+ * A function of a module is examined only when it is called, and is never compiled once more, for
+ * speed: most pages of the tests do not live that long.
  */
-const lazily = '--js-flags=--wasm-lazy-validation --wasm-tiering-budget=1300000000';
+const lazily = '--js-flags=--wasm-lazy-validation --liftoff-only';
 
 export default defineConfig({
   testDir: '.',

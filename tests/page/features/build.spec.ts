@@ -208,6 +208,7 @@ test('settings are saved in the scene and can be undone; parts and panels are se
   await openText(page, 'roof.obj', wavyGrid(4), 25);
   await openParts(page);
   const before = (await sceneOf(page)).build;
+  const outlines = await outlinesOf(partsPanel(page), 'cut');
   const choices = { Material: 'Plywood 4 mm', Machine: 'Laser', 'Sheet size': '600 × 400 mm' };
   for (const [name, label] of Object.entries(choices))
     await partsPanel(page).getByLabel(name, { exact: true }).selectOption({ label });
@@ -223,6 +224,8 @@ test('settings are saved in the scene and can be undone; parts and panels are se
   expect((await sceneOf(page)).build).toEqual(chosen);
   for (let step = 0; step < 3; step++) await page.getByRole('button', { name: 'Undo' }).click();
   await expect.poll(async () => (await sceneOf(page)).build).toEqual(before);
+  // Sheets that are drawn again have nothing under the pointer until it moves.
+  await expect.poll(() => outlinesOf(partsPanel(page), 'cut')).toEqual(outlines);
 
   // The part under the pointer, and no other, is marked, selected with its panel, and unmarked.
   for (const part of [3, 5]) {
