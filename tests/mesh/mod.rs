@@ -13,6 +13,7 @@ mod fuzzed;
 mod guide_lines;
 mod measure;
 mod new_kinds;
+mod openings;
 mod operation_cost;
 mod operation_refusals;
 mod operations;
