@@ -71,7 +71,7 @@ pub use measure::{
 };
 pub use polygon_mesh::{Group, GroupKeyword, Mesh, Point};
 pub use problem::{ElementKind, MeshProblem, ProblemKind, untouched_words};
-pub(crate) use rings::{rings_of, with_holes};
+pub(crate) use rings::{rings_of, sides_of_holes, with_holes};
 pub use seams::seams;
 pub use topology::{
     Repeated, Topology, components, corners, edge_lines, hinges, orientation, repeated, stars,

@@ -31,16 +31,21 @@ pub(crate) fn rings_of<Key: PartialEq>(
     levels.is_empty().then_some(rings)
 }
 
-/// The corners of a face that visits vertices twice, from the first side of its outline in the face on, if
-/// it is one with holes: rings without a common vertex, all but one of them around holes.
-pub(crate) fn with_holes(face: &[u32], positions: &[Point]) -> Option<Vec<u32>> {
+/// The sides of each ring of a face of a mesh, as [`rings_of`].
+fn rings(face: &[u32]) -> Option<Vec<Vec<usize>>> {
     let sides: Vec<[u32; 2]> = polygon_sides(face).collect();
     let known: BTreeSet<[u32; 2]> = sides.iter().copied().collect();
     let bridge = |k: usize| {
         let [a, b] = sides[k];
         known.contains(&[b, a]).then_some([a.min(b), a.max(b)])
     };
-    let rings = rings_of(sides.len(), bridge)?;
+    rings_of(sides.len(), bridge)
+}
+
+/// The corners of a face that visits vertices twice, from the first side of its outline in the face on, if
+/// it is one with holes: rings without a common vertex, all but one of them around holes.
+pub(crate) fn with_holes(face: &[u32], positions: &[Point]) -> Option<Vec<u32>> {
+    let rings = rings(face)?;
     let corners: BTreeSet<u32> = rings.iter().flatten().map(|&k| face[k]).collect();
     let count: usize = rings.iter().map(Vec::len).sum();
     if rings.len() < 2 || rings.iter().any(|ring| ring.len() < 3) || corners.len() < count {
@@ -57,6 +62,13 @@ pub(crate) fn with_holes(face: &[u32], positions: &[Point]) -> Option<Vec<u32>> 
     let mut found = face.to_vec();
     found.rotate_left(outline[0]);
     Some(found)
+}
+
+/// The sides around the holes of a face, in its direction.
+pub(crate) fn sides_of_holes(face: &[u32], positions: &[Point]) -> Vec<[u32; 2]> {
+    let Some(face) = with_holes(face, positions) else { return Vec::new() };
+    let holes = rings(&face).into_iter().flatten().skip(1).flatten();
+    holes.map(|k| [face[k], face[(k + 1) % face.len()]]).collect()
 }
 
 #[cfg(test)]
@@ -83,6 +95,11 @@ mod tests {
                 own.rotate_left(first);
                 let found = with_holes(&own, &squares()).expect("it has holes");
                 assert!(found[0] < 4 && found[1] < 4 && found[0] != found[1], "{found:?}");
+                let sides = sides_of_holes(&own, &squares());
+                assert!(
+                    sides.len() == 8 && sides.as_flattened().iter().all(|v| *v > 3),
+                    "{sides:?}"
+                );
                 let again = with_holes(&found, &squares()).expect("it has holes");
                 assert_eq!(again, found);
             }

@@ -19,6 +19,23 @@ fn a_flat_boundary_goes_outward_as_far_as_asked() {
     assert!(down.origins.faces.row(13).len() == 1, "a wall belongs to the face that it hangs on");
 }
 
+/// There was a gap in the row beside a face with a window.
+#[test]
+fn a_face_with_a_window_at_the_boundary_is_widened_like_the_others() {
+    let mut mesh = flat(3, 1);
+    let corner = mesh.faces.row(0).to_vec();
+    mesh.faces = mesh.faces.iter().skip(1).collect();
+    mesh.positions.extend([[0.4, 0.4, 0.0], [0.4, 0.6, 0.0], [0.6, 0.4, 0.0]]);
+    let made = |face: Vec<u32>| {
+        let mesh = Mesh { untouched: [face].into_iter().collect(), ..mesh.clone() };
+        apply(&mesh, "extrude", Some(&[1.0, 0.0]), &Picked::default()).unwrap()
+    };
+    let widened = made([&corner[..], &[corner[0], 8, 9, 10, 8]].concat());
+    assert_eq!(widened.mesh.faces.len(), 2 + 8);
+    assert!((area(&widened.mesh) - (5.0 * 3.0 - 1.0)).abs() < 1e-12, "{}", area(&widened.mesh));
+    assert_eq!(widened.origins.faces.iter().filter(|from| from.is_empty()).count(), 3);
+}
+
 #[test]
 fn a_row_of_quads_around_a_sharp_corner_has_no_spike() {
     // A corner of six degrees, whose sides would meet at nineteen times the distance.

@@ -4,14 +4,16 @@ use super::declaration::{OperationError, Task};
 use crate::math::{Vec3, polygon_sides, twice_vector_area};
 use crate::mesh::edit::origins::Edited;
 use crate::mesh::edit::rebuild::Rebuild;
-use crate::mesh::{Topology, components};
-use std::collections::BTreeMap;
+use crate::mesh::{Topology, components, sides_of_holes};
+use std::collections::{BTreeMap, BTreeSet};
+use std::slice;
 
 /// A side shorter than this fraction of its face has no direction, a face thinner than it no plane.
 const NONE: f64 = 1e-9;
 
 /// A boundary side of a face.
 struct Open {
+    /// Of all faces, those that are left as they are last.
     face: u32,
     /// In the direction of the face.
     ends: [u32; 2],
@@ -53,7 +55,9 @@ pub(super) fn apply(task: &Task<'_>) -> Result<Edited, OperationError> {
     rebuild.keep(task.all_faces())?;
     for Open { face, ends: [a, b], fans: [of_a, of_b], .. } in sides {
         let [over_a, over_b] = [[a, of_a], [b, of_b]].map(|corner| outer[&corner]);
-        rebuild.face(&[b, a, over_a, over_b], &[face]);
+        let is_of_mesh = (face as usize) < task.mesh.faces.len();
+        rebuild
+            .face(&[b, a, over_a, over_b], if is_of_mesh { slice::from_ref(&face) } else { &[] });
     }
     Ok(rebuild.finish())
 }
@@ -68,8 +72,8 @@ fn mitre(directions: &[Vec3<f64>]) -> Vec3<f64> {
     along * (1.0 / reach.max(0.5))
 }
 
-/// Returns the picked sides of `mesh.faces`; not those of faces that are left as they are. Both ends of one
-/// without a direction are of one fan, so that they go where its neighbours do.
+/// Returns the picked sides, without those of windows in a face. Both ends of one without a direction are of one fan, so that they go where
+/// its neighbours do.
 fn open_sides(task: &Task<'_>, topology: &Topology) -> Vec<Open> {
     let mesh = task.mesh;
     let is_picked = task.picked_vertices();
@@ -77,8 +81,9 @@ fn open_sides(task: &Task<'_>, topology: &Topology) -> Vec<Open> {
     // Corners are numbered one face after another; those of faces that share an edge are joined.
     let mut at_ends: Vec<Option<[u32; 2]>> = vec![None; topology.edges().len()];
     let mut joined: Vec<[u32; 2]> = Vec::new();
-    let mut planes = Vec::with_capacity(mesh.faces.len());
-    for (face, &first) in mesh.faces.iter().zip(mesh.faces.offsets()) {
+    let mut planes = Vec::new();
+    let mut first = 0;
+    for face in mesh.all_faces() {
         let mut squares = 0.0;
         for (k, [a, b]) in (0..).zip(polygon_sides(face)) {
             squares += (at(b) - at(a)).length_squared();
@@ -91,21 +96,26 @@ fn open_sides(task: &Task<'_>, topology: &Topology) -> Vec<Open> {
         let normal = twice_vector_area(face.iter().map(|&v| at(v)));
         let is_plane = normal.length_and_direction().0 > NONE * squares;
         planes.push((if is_plane { normal } else { Vec3::zero() }, squares));
+        first += face.len() as u32;
     }
+    let windows = mesh.untouched.iter().flat_map(|face| sides_of_holes(face, &mesh.positions));
+    let windows: BTreeSet<[u32; 2]> = windows.collect();
     let mut sides = Vec::new();
     for ((&ends, faces), e) in topology.edges().iter().zip(topology.edge_faces().iter()).zip(0..) {
         let (&[face], true) = (faces, ends.iter().all(|&v| is_picked[v as usize])) else {
             continue;
         };
-        let Some(&(mut normal, squares)) = planes.get(face as usize) else { continue };
+        let (mut normal, squares) = planes[face as usize];
         let is_ahead = topology.edge_ascends(e)[0];
         let corners = at_ends[e as usize].expect("it is a side of that face");
         let [ends, corners] = [ends, corners].map(|both| ordered(is_ahead, both));
+        if windows.contains(&ends) {
+            continue;
+        }
         if normal == Vec3::zero() {
             // It lies in the plane of the faces beside it.
             let beside = ends.iter().flat_map(|&v| topology.vertex_faces().row(v as usize));
-            let planes = beside.filter_map(|&face| planes.get(face as usize));
-            planes.for_each(|(plane, _)| normal += *plane);
+            beside.for_each(|&face| normal += planes[face as usize].0);
         }
         let along = at(ends[1]) - at(ends[0]);
         let is_long = along.length_squared() > NONE * NONE * squares;
@@ -116,7 +126,7 @@ fn open_sides(task: &Task<'_>, topology: &Topology) -> Vec<Open> {
         }
         sides.push(Open { face, ends, fans: corners, outward });
     }
-    let fans = components(mesh.faces.indices().len(), joined.iter().map(|pair| &pair[..]));
+    let fans = components(first as usize, joined.iter().map(|pair| &pair[..]));
     for side in &mut sides {
         side.fans = side.fans.map(|corner| fans[corner as usize]);
     }
