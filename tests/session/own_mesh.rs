@@ -2,10 +2,10 @@
 //! and the changes of the document.
 
 use shape_up::math::Vec3;
-use shape_up::mesh::{Mesh, Point, Topology};
+use shape_up::mesh::{Mesh, Point, ProblemKind, Topology};
 use shape_up::scene::{
     ClosenessTo, ConstraintSpec, MeshSuggestion, Scene, UnitsAndUp, Up, offers_new_panels,
-    panel_offers, panel_suggestion,
+    panel_offers, panel_suggestion, problem_suggestion,
 };
 use shape_up::session::{Edit, LayoutSettings, PanelStart, Remeshing, Session};
 use shape_up::solve::Require;
@@ -174,6 +174,20 @@ fn where_it_means_nothing_the_press_is_refused_in_words() {
 
 fn suggestion_of(mesh: &Mesh) -> Option<MeshSuggestion> {
     panel_suggestion(mesh, &Topology::new(mesh))
+}
+
+/// On a surface with one side, the button ended in a refusal.
+#[test]
+fn turning_faces_is_offered_where_it_can_succeed() {
+    let offered = |last: &[u32]| {
+        let faces = [&[0, 1, 3, 2][..], &[2, 3, 5, 4], last].into_iter().collect();
+        let positions = (0..6).map(|v| [f64::from(v % 2), f64::from(v / 2), f64::from(v)]);
+        let mesh = Mesh { positions: positions.collect(), faces, ..Mesh::default() };
+        let kind = ProblemKind::FlippedNeighbour;
+        problem_suggestion(kind, &mesh, &Topology::new(&mesh)).is_some()
+    };
+    assert!(offered(&[0, 1, 5, 4]), "a ring with one face turned");
+    assert!(!offered(&[4, 5, 0, 1]), "a Moebius strip");
 }
 
 #[test]

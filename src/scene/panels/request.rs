@@ -2,7 +2,7 @@
 
 use crate::constraint::{Centring, Element, Info, KINDS, Kind, KindError, Selector};
 use crate::mesh::{
-    MESH_OPERATIONS, Mesh, ProblemKind, Topology, mean_dihedral_angle, untouched_words,
+    MESH_OPERATIONS, Mesh, ProblemKind, Topology, mean_dihedral_angle, orientation, untouched_words,
 };
 use crate::scene::{ClosenessTo, ConstraintSpec, RowNumber, Scene, SceneError};
 use crate::solve::Require;
@@ -183,13 +183,18 @@ pub fn offers_new_panels(mesh: &Mesh, topology: &Topology) -> bool {
     is_surface && mean_dihedral_angle(mesh, topology, &mesh.positions) > FLAT
 }
 
-/// Returns the change of the mesh that mends a problem of it, if there is one.
-pub fn problem_suggestion(kind: ProblemKind) -> Option<MeshSuggestion> {
+/// Returns the change of the mesh that mends a problem of it, if there is one: not for a surface with
+/// one side only.
+pub fn problem_suggestion(
+    kind: ProblemKind,
+    mesh: &Mesh,
+    topology: &Topology,
+) -> Option<MeshSuggestion> {
     let (id, label, words) = match kind {
         ProblemKind::UnjoinedVertex => {
             ("join", "Join them", "Nothing keeps the patches together at the seam.")
         }
-        ProblemKind::FlippedNeighbour => {
+        ProblemKind::FlippedNeighbour if orientation(&mesh.faces, topology).1.is_empty() => {
             ("unify", "Turn them", "The front of some faces is on the other side.")
         }
         _ => return None,

@@ -135,7 +135,7 @@ impl Loaded {
                     count: p.count,
                     line: p.line,
                     flaw: flaw_of(p.kind),
-                    suggestion: problem_suggestion(p.kind),
+                    suggestion: problem_suggestion(p.kind, mesh, session.topology()),
                 })
                 .collect(),
             notes: read.notes.clone(),
