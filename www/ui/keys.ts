@@ -5,6 +5,8 @@ import { getItem, setItem } from './safe-storage.ts';
 
 /** Keys that activate a focused button or list. */
 const ACTIVATING = new Set([' ', 'Enter']);
+/** Keys that move a slider to an end, or by a large step. */
+const SLIDING = new Set(['Home', 'End', 'PageUp', 'PageDown']);
 const NOT_TYPED_INTO = '[type="checkbox"], [type="radio"], [type="file"], [type="range"]';
 
 /**
@@ -30,10 +32,11 @@ export function digitOf({ code, key, shiftKey, ctrlKey, metaKey }: KeyboardEvent
   return `${shiftKey ? 'Shift+' : ''}${digit}`;
 }
 
-/** Whether a key types into a field or activates the focused control. */
+/** Whether a key types into a field, moves a slider, or activates the focused control. */
 export function isTyping({ target, key }: KeyboardEvent) {
   if (!(target instanceof HTMLElement)) return false;
   if (target.matches('select') || isTypedInto(target)) return true;
+  if (SLIDING.has(key) && target.matches('input[type="range"]')) return true;
   return ACTIVATING.has(key) && target.matches('button, summary, a, input:not([type="range"])');
 }
 

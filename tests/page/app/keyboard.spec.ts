@@ -369,6 +369,19 @@ test('on a French keyboard letters work by character and digits by key position'
   await expect(page.getByRole('dialog', { name: 'Mouse and keys' })).toBeVisible();
 });
 
+test('Home on a slider moves it to its start, and the camera stays', async ({ page }) => {
+  await openPage(page);
+  const camera = await page.evaluate(() => {
+    const { shapeUp } = window;
+    shapeUp.look(shapeUp.camera().map((value, k) => (k === 0 ? value + 0.1 : value)));
+    return [...shapeUp.camera()];
+  });
+  const slider = page.locator('input[type="range"]:visible').first();
+  await slider.press('Home');
+  expect(await slider.evaluate((own: HTMLInputElement) => own.value === own.min)).toBe(true);
+  expect(await page.evaluate(() => [...window.shapeUp.camera()])).toEqual(camera);
+});
+
 test('in a field Ctrl+A selects its text, elsewhere what the tool selects', async ({ page }) => {
   await openPage(page);
   await page.keyboard.press('3');
