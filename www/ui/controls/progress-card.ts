@@ -1,7 +1,7 @@
 /** A card that shows how far something has got, and may offer to cancel it. */
 
 import '../styles/waiting.css';
-import { element, removeKeepingFocus, setText, type Attributes } from '../dom.ts';
+import { element, setText, type Attributes } from '../dom.ts';
 import { button } from './fields.ts';
 
 const SMALL = { class: 'small bordered' };
@@ -57,6 +57,6 @@ export class ProgressCard {
   }
 
   remove() {
-    removeKeepingFocus(this.#element, () => this.#element.remove());
+    this.#element.remove();
   }
 }
