@@ -5,7 +5,7 @@
  */
 
 import { openChosen, acceptDrops } from '../documents/chosen-files.ts';
-import { reportCollapse } from '../documents/collapse.ts';
+import { reportCollapse } from '../documents/collapse.tsx';
 import { Files } from '../documents/files.ts';
 import { measureGoals } from '../features/build/live-build.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
