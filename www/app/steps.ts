@@ -32,7 +32,6 @@ export function followSteps(store: Store) {
     const open = levels.filter((level) => level.open).map(({ id }) => id);
     setItem(OPEN, JSON.stringify(open));
   };
-  for (const level of levels) level.addEventListener('toggle', remember);
   const openAll = () => {
     for (const step of STEPS) placeOf(step).open = true;
   };
@@ -44,7 +43,8 @@ export function followSteps(store: Store) {
     const inTab = document.body.dataset.sheet === 'open' ? [step] : [];
     store.set({ openSteps: isTab ? inTab : wide() });
   };
-  panel.addEventListener('toggle', tell, true);
+  // It does not bubble.
+  for (const told of [remember, tell]) panel.addEventListener('toggle', told, true);
   /** What was open when the window became narrow. */
   let open = wide();
   const summaries = STEPS.map((step) => placeOf(step).querySelector('summary'));
