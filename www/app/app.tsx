@@ -1,17 +1,23 @@
-/** The components of the page, each in its place of `index.html`, which is there before them. */
+/**
+ * The components of the page, as one tree. It stands in places of `index.html`, whose header, headings
+ * and buttons are the first that is painted, before any script: as components they would be in the
+ * script a second time, to no other effect.
+ */
 
-import { render, type ComponentChildren, type ComponentType } from 'preact';
+import { createPortal, render, type ComponentChildren } from 'preact';
+import { ExamplesMenu } from '../documents/examples-menu.tsx';
 import { RecentMenu } from '../documents/recent-menu.tsx';
 import { BuildPanel } from '../features/build/build-panel.tsx';
 import { Curvature } from '../features/curvature/curvature-card.tsx';
 import { EmbeddedView } from '../features/embed/embedded-view.tsx';
 import { FlatMapPanel } from '../features/flat-map/flat-map-panel.tsx';
 import { FlatMapRegion } from '../features/flat-map/flat-map-region.tsx';
-import { Lesson, LessonCard, lockable } from '../features/lesson/panel.tsx';
+import { Lesson, LessonCard, Lockable } from '../features/lesson/panel.tsx';
 import { MeshTools, PanelsInStep } from '../features/make-panels/buttons.tsx';
 import { PanelsCard } from '../features/make-panels/card.tsx';
 import { makePanels } from '../features/make-panels/press.ts';
 import { NewPanels } from '../features/make-panels/new-panels.tsx';
+import { ContextMenu } from '../features/selecting/context-menu.tsx';
 import { Stage } from '../features/present/stage.tsx';
 import { VariationsButton, VariationsPanel } from '../features/variations/variations-panel.tsx';
 import { SectionCard } from '../features/view-tools/section-card.tsx';
@@ -42,80 +48,98 @@ import { dropRemovedInput } from '../ui/removed-fields.ts';
 import { Analysis } from './analysis.tsx';
 import type { AppContext } from './context.ts';
 
-/** The components, by the id of their place. */
-const PLACES: Record<string, ComponentType> = {
-  'fact-open': ModelFact,
-  'fact-shape': ShapeFact,
-  'fact-move': MoveFact,
-  'mesh-tools': MeshTools,
-  'lesson-place': Lesson,
-  'lesson-card-place': LessonCard,
-  'make-panels-place': lockable('constraints', PanelsInStep),
-  'panels-card-place': () => (
-    <PanelsCard>
-      <RunMessage isOnCard />
-    </PanelsCard>
-  ),
-  'more-messages': Warnings,
-  'move-tools': VariationsButton,
-  corner: () => (
-    <>
-      <NewPanels />
-      <Curvature />
-      <SectionCard />
-    </>
-  ),
-  'docked-place': () => (
-    <>
-      <VariationsPanel />
-      <BuildPanel makePanels={makePanels} />
-    </>
-  ),
-  'flat-map-panel-place': FlatMapPanel,
-  'flat-map-place': FlatMapRegion,
-  'view-menu': ViewMenu,
-  model: lockable('mesh', Model, 'the mesh stays as it is'),
-  'import-report': ImportReport,
-  constraints: lockable('constraints', Constraints, 'the constraints stay as they are'),
-  energies: lockable('weights', Energies, 'the weights stay as they are'),
-  'solver-tools': HalfStepSwitch,
-  handles: lockable('handles', Handles, 'the handles stay as they are'),
-  'tolerance-place': Tolerance,
-  colours: Colours,
-  compare: Compare,
-  display: Shown,
-  analysis: Analysis,
-  status: Status,
-  hint: Hint,
-  numbers: StatusNumbers,
-  hints: FirstHints,
-  'example-place': ExampleNote,
-  'legend-place': Legend,
-  'stage-place': Stage,
-  recent: RecentMenu,
-  ...(isEmbedded && { 'embed-place': EmbeddedView }),
-  'select-bar-place': SelectBar,
-  'select-menu-place': SelectMenu,
-};
-
 /** What is typed outside of dialogs is meant for the open model. */
 const OfModel = ({ children }: { children: ComponentChildren }) => (
   <Subject.Provider value={useApp().store.state.model}>{children}</Subject.Provider>
 );
 
+/** The parts of the page, by the id of their place. */
+const PARTS: Record<string, ComponentChildren> = {
+  'fact-open': <ModelFact />,
+  'lesson-place': <Lesson />,
+  'model-place': (
+    <>
+      <div id="model">
+        <Lockable lock="mesh" words="the mesh stays as it is">
+          <Model />
+        </Lockable>
+      </div>
+      <div id="import-report">
+        <ImportReport />
+      </div>
+      <ExampleNote />
+    </>
+  ),
+  'mesh-tools': <MeshTools />,
+  'fact-shape': <ShapeFact />,
+  'shape-place': (
+    <>
+      <Lockable lock="constraints">
+        <PanelsInStep />
+      </Lockable>
+      <Tolerance />
+      <div>
+        <Lockable lock="constraints" words="the constraints stay as they are">
+          <Constraints />
+        </Lockable>
+      </div>
+    </>
+  ),
+  energies: (
+    <Lockable lock="weights" words="the weights stay as they are">
+      <Energies />
+    </Lockable>
+  ),
+  'solver-tools': <HalfStepSwitch />,
+  'fact-move': <MoveFact />,
+  handles: (
+    <Lockable lock="handles" words="the handles stay as they are">
+      <Handles />
+    </Lockable>
+  ),
+  'move-tools': <VariationsButton />,
+  colours: [<FlatMapPanel />, <Colours />],
+  compare: <Compare />,
+  display: <Shown />,
+  analysis: <Analysis />,
+  'over-view': [
+    <NewPanels />,
+    <Curvature />,
+    <SectionCard />,
+    <SelectBar />,
+    <FlatMapRegion />,
+    <LessonCard />,
+  ],
+  'more-messages': <Warnings />,
+  hints: <FirstHints />,
+  'below-view': (
+    <>
+      <Legend />
+      <PanelsCard>
+        <RunMessage isOnCard />
+      </PanelsCard>
+    </>
+  ),
+  'docked-place': [<VariationsPanel />, <BuildPanel makePanels={makePanels} />],
+  status: <Status />,
+  hint: <Hint />,
+  numbers: <StatusNumbers />,
+  'stage-place': [isEmbedded && <EmbeddedView />, <Stage />],
+  'menus-place': [<ExamplesMenu />, <RecentMenu />, <ViewMenu />, <SelectMenu />, <ContextMenu />],
+};
+
 export function renderPage(app: AppContext) {
   dropRemovedInput();
-  for (const [id, Component] of Object.entries(PLACES)) {
+  const portals = Object.entries(PARTS).map(([id, part]) => {
     const place = byId(id);
     // What is there before this script is loaded.
     place.replaceChildren();
-    render(
-      <AppProvider value={app}>
-        <OfModel>
-          <Component />
-        </OfModel>
-      </AppProvider>,
-      place,
-    );
-  }
+    return createPortal(part, place);
+  });
+  render(
+    <AppProvider value={app}>
+      <OfModel>{portals}</OfModel>
+    </AppProvider>,
+    document.createElement('div'),
+  );
 }

@@ -11,7 +11,7 @@ import type { Files } from '../documents/files.ts';
 import type { Actions } from '../store/actions.ts';
 import type { MeshActions } from '../store/mesh-actions.ts';
 import type { Selecting } from '../store/mesh-queries.ts';
-import type { Alerts } from '../ui/controls/alerts.ts';
+import type { Alerts } from '../ui/controls/alerts.tsx';
 import type { Startup } from './startup.ts';
 import type { HoldOriginal } from '../features/hold-original.ts';
 

@@ -2,7 +2,7 @@
 
 import { messageOf } from '../solver/errors.ts';
 import { copyText } from '../ui/output.ts';
-import type { Alerts } from '../ui/controls/alerts.ts';
+import type { Alerts } from '../ui/controls/alerts.tsx';
 import type { Store, State } from '../store/state.ts';
 
 /** Browsers report this if a size changes twice within a frame; it is not an error. */

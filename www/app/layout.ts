@@ -41,6 +41,5 @@ export function arrangeForWidth() {
     const inside = event.target instanceof Element && event.target.closest('button');
     if (inside) more.hidePopover();
   });
-  for (const name of ['examples', 'recent']) placeMenu(byId(name), () => byId(`${name}-button`));
   placeMenu(more, () => moreButton);
 }

@@ -5,14 +5,13 @@
  */
 
 import { openChosen, acceptDrops } from '../documents/chosen-files.ts';
-import { reportCollapse } from '../documents/collapse.ts';
-import { examplesMenu } from '../documents/examples.ts';
+import { reportCollapse } from '../documents/collapse.tsx';
 import { Files } from '../documents/files.ts';
 import { measureGoals } from '../features/build/live-build.ts';
 import { HoldOriginal } from '../features/hold-original.ts';
 import { LAYING_OUT } from '../features/make-panels/layouts.ts';
 import { offerPanelCommands } from '../features/make-panels/press.ts';
-import { showContextMenu } from '../features/selecting/context-menu.ts';
+import { showContextMenu } from '../features/selecting/context-menu.tsx';
 import { JobsClient } from '../solver/jobs-client.ts';
 import { SolverClient } from '../solver/solver-client.ts';
 import { createActions } from '../store/actions.ts';
@@ -22,7 +21,7 @@ import { meshActions } from '../store/mesh-actions.ts';
 import { Selecting } from '../store/mesh-queries.ts';
 import { runEarlyPresses } from '../store/perform.ts';
 import { createStore, withModel } from '../store/state.ts';
-import { Alerts } from '../ui/controls/alerts.ts';
+import { Alerts } from '../ui/controls/alerts.tsx';
 import { closeAboutModel } from '../ui/controls/dialog.ts';
 import { tooltips } from '../ui/controls/tooltips.ts';
 import { byId } from '../ui/dom.ts';
@@ -63,7 +62,7 @@ const files = new Files(store, solver, alerts, actions);
 const region = new RegionSelection(store, viewport, actions);
 const selecting = new Selecting(store, solver, actions);
 const pointer = new PointerInput(store, solver, viewport, region, actions, {
-  showMenu: (at) => showContextMenu(at, app),
+  showMenu: (at) => showContextMenu(at),
   doubleClick: (...what) => selecting.doubleClick(...what),
 });
 bindHandleKeys(viewport, store, actions);
@@ -128,7 +127,6 @@ viewport.on('none', explainNoPicture);
 Object.assign(window, { shapeUp: app.script });
 
 void actions.reportErrors(startup.begin());
-examplesMenu(byId('examples'), app);
 const offline = () => stayOffline(alerts, startup, viewport);
 viewport.on('ready', offline);
 viewport.on('none', offline);

@@ -6,7 +6,7 @@
  */
 
 import { isEmbedded } from '../ui/embedded.ts';
-import type { Alerts } from '../ui/controls/alerts.ts';
+import type { Alerts } from '../ui/controls/alerts.tsx';
 import type { Startup } from './startup.ts';
 import type { Viewport } from '../viewport/viewport.ts';
 

@@ -32,11 +32,19 @@ export function followSteps(store: Store) {
     const open = levels.filter((level) => level.open).map(({ id }) => id);
     setItem(OPEN, JSON.stringify(open));
   };
-  for (const level of levels) level.addEventListener('toggle', remember);
   const openAll = () => {
     for (const step of STEPS) placeOf(step).open = true;
   };
   const wide = () => STEPS.filter((step) => placeOf(step).open);
+  /** Tells which steps are in sight. */
+  const tell = () => {
+    const { step } = store.get();
+    const isTab = narrow.matches && !isEmbedded;
+    const inTab = document.body.dataset.sheet === 'open' ? [step] : [];
+    store.set({ openSteps: isTab ? inTab : wide() });
+  };
+  // It does not bubble.
+  for (const told of [remember, tell]) panel.addEventListener('toggle', told, true);
   /** What was open when the window became narrow. */
   let open = wide();
   const summaries = STEPS.map((step) => placeOf(step).querySelector('summary'));
@@ -64,6 +72,17 @@ export function followSteps(store: Store) {
     next = nextStep(state);
     if (run === state.model) placeOf(next === 'build' ? 'build' : 'shape').open = true;
   });
+  // A lesson says what to do; the button of its dialog is farther down.
+  let hadLesson = false;
+  store.subscribe(['document'], ({ document }) => {
+    // While a mesh is replaced there is no document, which does not end the lesson.
+    if (!document) return;
+    const isNew = document.lesson !== null && !hadLesson;
+    hadLesson = document.lesson !== null;
+    if (!isNew) return;
+    placeOf('open').open = true;
+    panel.scrollTo(0, 0);
+  });
   // What can be done with a selection is there.
   let wasEmpty = true;
   store.subscribe(['selection'], ({ selection }) => {
@@ -84,11 +103,14 @@ export function followSteps(store: Store) {
     asked.add(model.guessed);
     if (asks || model.problems.length > 0) placeOf('open').open = true;
   });
-  tabs(store, panel);
+  tabs(store, panel, tell);
 }
 
-/** The tabs of a narrow window. */
-function tabs(store: Store, panel: HTMLElement) {
+/**
+ * The tabs of a narrow window.
+ * @param tell called when another step is in sight
+ */
+function tabs(store: Store, panel: HTMLElement, tell: () => void) {
   const { dataset } = document.body;
   const buttons = STEPS.map((step) => byId(`tab-${step}`));
   const show = (step: Step, isOpen: boolean) => {
@@ -101,6 +123,7 @@ function tabs(store: Store, panel: HTMLElement) {
   function measure() {
     const isSheet = narrow.matches && dataset.sheet === 'open';
     store.set({ room: isSheet ? 'sheet' : small.matches ? 'small' : 'wide' });
+    tell();
   }
   for (const query of [narrow, small]) query.addEventListener('change', measure);
   measure();

@@ -1,6 +1,6 @@
 /** Exports of the current shape as mesh files, with the edits that were begun before. */
 
-import { askToExport } from './collapse.ts';
+import { askToExport } from './collapse.tsx';
 import { askRhino } from './rhino/rhino-client.ts';
 import type { AppContext } from '../app/context.ts';
 
@@ -8,16 +8,12 @@ import type { AppContext } from '../app/context.ts';
  * Saves a file, after a question if the last run has collapsed the mesh.
  * @param type after `model/`
  */
-function exportShape(
-  { actions, files }: AppContext,
-  ending: string,
-  type: string,
-  make: () => Promise<BlobPart>,
-) {
+function exportShape(app: AppContext, ending: string, type: string, make: () => Promise<BlobPart>) {
+  const { actions, files } = app;
   return files.save(ending, `model/${type}`, async () => {
     await actions.settled();
     const collapse = await actions.ask.collapse();
-    return !collapse || (await askToExport(collapse)) ? make() : null;
+    return !collapse || (await askToExport(app, collapse)) ? make() : null;
   });
 }
 

@@ -8,7 +8,7 @@ import { count, groupDigits, length } from '../ui/words.ts';
 import { once } from '../ui/once.ts';
 import { saveFile } from '../ui/output.ts';
 import { removeFirstPicture } from '../viewport/placeholder.ts';
-import { linkToExample } from './examples.ts';
+import { linkToExample } from '../solver/examples.ts';
 import { offersToChoose } from './missing-files.ts';
 import { Openings, type Opening } from './openings.ts';
 import { askRhino } from './rhino/rhino-client.ts';
@@ -22,7 +22,7 @@ import type { Actions } from '../store/actions.ts';
 import { STARTS_LATER } from '../store/perform.ts';
 import { untilChanged } from '../store/until-changed.ts';
 import type { Store } from '../store/state.ts';
-import type { Alerts } from '../ui/controls/alerts.ts';
+import type { Alerts } from '../ui/controls/alerts.tsx';
 export type { Example } from '../solver/examples.ts';
 
 /** Source of a model. */

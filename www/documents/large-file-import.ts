@@ -11,7 +11,7 @@ import { mainOf } from '../solver/opened-files.ts';
 import type { NamedBytes, Opened } from '../solver/types.ts';
 import type { Large } from './files.ts';
 import type { Actions } from '../store/actions.ts';
-import type { Alerts } from '../ui/controls/alerts.ts';
+import type { Alerts } from '../ui/controls/alerts.tsx';
 
 /**
  * Opens files as `Files.open` does, with a progress display.

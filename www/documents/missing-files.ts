@@ -4,7 +4,7 @@ import { unreadable } from '../solver/errors.ts';
 import { element } from '../ui/dom.ts';
 import type { NamedBytes } from '../solver/types.ts';
 import type { Actions } from '../store/actions.ts';
-import type { Offer } from '../ui/controls/alerts.ts';
+import type { Offer } from '../ui/controls/alerts.tsx';
 import type { Files, Origin } from './files.ts';
 
 /**

@@ -1,16 +1,17 @@
 /** The menu Open recent: works saved in this browser. */
 
-import { useLayoutEffect, useState } from 'preact/hooks';
+import { useLayoutEffect, useRef, useState } from 'preact/hooks';
 import { useApp } from '../store/use-app.ts';
+import { Entry, Menu } from '../ui/components/menu.tsx';
 import { byId } from '../ui/dom.ts';
 import type { Work } from './recent-documents.ts';
 
-/** The popover that the menu is in. */
-const popover = () => byId('recent');
-const isOpen = () => popover().matches(':popover-open');
+const opener = () => byId('recent-button');
 
 export function RecentMenu() {
   const app = useApp();
+  const menu = useRef<HTMLDivElement>(null);
+  const isOpen = () => menu.current?.matches(':popover-open') ?? false;
   /** As they were when the menu was opened last. */
   const [list, setList] = useState<Work[] | null>(null);
   useLayoutEffect(() => {
@@ -20,43 +21,37 @@ export function RecentMenu() {
       event.preventDefault();
       setList(await app.works.recent().catch(() => []));
     };
-    const button = byId('recent-button');
-    button.addEventListener('click', open);
-    return () => button.removeEventListener('click', open);
+    opener().addEventListener('click', open);
+    return () => opener().removeEventListener('click', open);
   }, []);
   useLayoutEffect(() => {
-    if (list && !isOpen()) popover().showPopover();
+    if (list && !isOpen()) menu.current?.showPopover();
   }, [list]);
-  // A menu needs an entry for screen readers to announce its text.
-  if (list?.length === 0) {
-    return (
-      <p class="quiet" role="menuitem" aria-disabled="true" tabindex={-1}>
-        Nothing else yet. Files that you open and examples that you change are saved in this browser
-        and listed here.
-      </p>
-    );
-  }
   return (
-    <>
+    <Menu of={menu} anchor={opener} id="recent" role="menu" aria-label="Open recent">
+      {/* A menu needs an entry for screen readers to announce its text. */}
+      {list?.length === 0 && (
+        <p class="quiet" role="menuitem" aria-disabled="true" tabindex={-1}>
+          Nothing else yet. Files that you open and examples that you change are saved in this
+          browser and listed here.
+        </p>
+      )}
       {list?.map((work) => (
         <button
           key={work.id}
           type="button"
           role="menuitem"
           onClick={() => {
-            popover().hidePopover();
+            menu.current?.hidePopover();
             void app.works.openWork(work);
           }}
         >
-          <span class="entry">
-            <strong>{work.title}</strong>
-            <span>
-              {dateOf(work.savedAt)}, iteration {work.iteration}
-            </span>
-          </span>
+          <Entry title={work.title}>
+            {dateOf(work.savedAt)}, iteration {work.iteration}
+          </Entry>
         </button>
       ))}
-    </>
+    </Menu>
   );
 }
 

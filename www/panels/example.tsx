@@ -1,7 +1,8 @@
 /** Note on the open example: its figure, what to look for, and links to its neighbours. */
 
 import { useEffect, useState } from 'preact/hooks';
-import { linkToExample } from '../documents/examples.ts';
+import { linkToExample } from '../solver/examples.ts';
+import { performNamed } from '../store/perform.ts';
 import { useApp } from '../store/use-app.ts';
 import { Button } from '../ui/components/buttons.tsx';
 import type { Example } from '../solver/examples.ts';
@@ -16,7 +17,7 @@ export function ExampleNote() {
 }
 
 function Note({ example: { id, figure, summary, statement, plots, kinds } }: { example: Example }) {
-  const { actions } = useApp();
+  const app = useApp();
   const all = useExamples();
   const at = all.findIndex((one) => one.id === id);
   return (
@@ -30,7 +31,14 @@ function Note({ example: { id, figure, summary, statement, plots, kinds } }: { e
         {kinds.length > 0 ? 'Once solved' : 'Once flattened'}: {statement}
       </p>
       {plots.map(({ label, plot }) => (
-        <Button key={plot} class="bordered small" onClick={() => actions.showPlot(plot)}>
+        <Button
+          key={plot}
+          class="bordered small"
+          onClick={() => {
+            app.actions.look({ plot });
+            performNamed('show-plots', app);
+          }}
+        >
           {label}
         </Button>
       ))}

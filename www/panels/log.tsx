@@ -5,7 +5,7 @@ import { useState } from 'preact/hooks';
 import { useApp } from '../store/use-app.ts';
 import { Button } from '../ui/components/buttons.tsx';
 import { copyText } from '../ui/output.ts';
-import type { Entry } from '../ui/controls/alerts.ts';
+import type { Entry } from '../ui/controls/alerts.tsx';
 
 const NAMES = { error: 'Error', notice: 'Notice', status: '' };
 

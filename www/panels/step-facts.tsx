@@ -1,8 +1,6 @@
 /** What a step has, in its heading. */
 
-import { useEffect, useState } from 'preact/hooks';
 import { useApp } from '../store/use-app.ts';
-import { byId } from '../ui/dom.ts';
 import { count } from '../ui/words.ts';
 import type { Step } from '../store/state.ts';
 
@@ -26,13 +24,6 @@ export const MoveFact = () => {
 };
 
 function Fact({ step, children }: { step: Step; children: string | false }) {
-  const [isClosed, setClosed] = useState(false);
-  useEffect(() => {
-    const place: HTMLDetailsElement = byId(`step-${step}`);
-    const follow = () => setClosed(!place.open);
-    follow();
-    place.addEventListener('toggle', follow);
-    return () => place.removeEventListener('toggle', follow);
-  }, [step]);
-  return <>{isClosed && children}</>;
+  const { openSteps } = useApp().store.state;
+  return <>{!openSteps.includes(step) && children}</>;
 }

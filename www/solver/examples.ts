@@ -1,4 +1,4 @@
-/** List of the examples. */
+/** List of the examples, and their links. */
 
 import type { LessonWords } from '../pkg/engine/shape_up.js';
 
@@ -51,3 +51,6 @@ export async function listOfExamples(): Promise<Example[]> {
     throw new Error(`The list of examples could not be fetched (${response.status}).`);
   return response.json();
 }
+
+/** Returns the permanent fragment of an example, see `documents/share-link.ts`. */
+export const linkToExample = (id: string) => `#example=${id}`;

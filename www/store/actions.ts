@@ -18,7 +18,7 @@ import { createViewActions } from './view-actions.ts';
 import type { JobsClient } from '../solver/jobs-client.ts';
 import type { RowKey } from '../solver/rows.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
-import type { Alerts, Offer } from '../ui/controls/alerts.ts';
+import type { Alerts, Offer } from '../ui/controls/alerts.tsx';
 
 type ShowError = (error: unknown) => boolean | string;
 

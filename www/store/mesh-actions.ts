@@ -7,7 +7,7 @@ import { count } from '../ui/words.ts';
 import type { LaidOut, Remeshing, Edit } from '../pkg/engine/shape_up.js';
 import type { Store } from './state.ts';
 import type { SolverClient } from '../solver/solver-client.ts';
-import type { Alerts } from '../ui/controls/alerts.ts';
+import type { Alerts } from '../ui/controls/alerts.tsx';
 import type { Actions } from './actions.ts';
 
 type Refinement = Extract<Edit, { refine: unknown }>['refine'];

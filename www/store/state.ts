@@ -88,6 +88,8 @@ export interface State {
   rowColours: DrawnRowColours | null;
   /** the visible step if there is room for only one */
   step: Step;
+  /** the steps whose content is in sight */
+  openSteps: Step[];
   /** of the window: wide, small (narrow or low), or narrow with a step open over a part of the view */
   room: 'wide' | 'small' | 'sheet';
   /** by which the faces are coloured */
@@ -278,6 +280,7 @@ const INITIAL: State = {
   tints: {},
   rowColours: null,
   step: 'shape',
+  openSteps: [],
   room: 'wide',
   measure: null,
   measureChosen: false,

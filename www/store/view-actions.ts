@@ -2,8 +2,6 @@
 
 import { NOTHING } from './selection.ts';
 import type { BetterPress } from '../pkg/engine/shape_up.js';
-import { byId } from '../ui/dom.ts';
-import { reveal } from '../ui/reveal.ts';
 import { getItem, setItem } from '../ui/safe-storage.ts';
 import {
   AUTOMATIC,
@@ -99,13 +97,6 @@ export function createViewActions(store: Store) {
     /** Marks elements for a cause, in place of those that were; null when it is over. */
     tint: (cause: Marking, tint: Tint | null) =>
       store.set({ tints: { ...store.get().tints, [cause]: tint } }),
-
-    /** Shows the region of plots and lists at one of them, by its id; its step may be closed. */
-    async showPlot(plot: string) {
-      store.set({ plot });
-      await Promise.resolve();
-      reveal(byId('analysis'));
-    },
 
     /** Sets parts of the state that nothing else has to follow. */
     look: (change: Partial<Omit<State, Owned>>) => store.set(change),

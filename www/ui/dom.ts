@@ -65,15 +65,6 @@ export function byId<Kind extends Element = HTMLElement>(id: string): Kind {
   return found as Element as Kind;
 }
 
-/**
- * Runs `remove`, which removes or hides an element or its content; focus inside goes to the view.
- */
-export function removeKeepingFocus(place: HTMLElement, remove: () => void) {
-  const hadFocus = place.contains(document.activeElement);
-  remove();
-  if (hadFocus) byId('viewport').focus({ preventScroll: true });
-}
-
 /** Sets the text if it differs, to avoid needless layout several times a second. */
 export function setText(node: Node, text: string) {
   const { firstChild } = node;

@@ -3,20 +3,26 @@
  * the body, without an event, and the next press of Tab begins at the top of the page.
  */
 
-/** How often it is looked for, in milliseconds. */
-const EVERY_MS = 200;
+/** After what else a press changes, which may take the focus itself, in milliseconds. */
+const LATER_MS = 60;
 
 /** @param place what gets the focus, unless a dialog is open */
 export function keepFocus(place: HTMLElement) {
   /** What had the focus last. */
   let last: EventTarget | null = null;
   document.addEventListener('focusin', ({ target }) => (last = target));
-  setInterval(() => {
+  let timer = 0;
+  function look() {
+    timer = 0;
+    const { activeElement } = document;
     // A press beside all controls takes the focus away on purpose.
-    if (document.activeElement !== document.body || !(last instanceof HTMLElement)) return;
+    if (activeElement !== document.body && activeElement !== last) return;
+    if (!(last instanceof HTMLElement) || last === document.body) return;
     if (last.checkVisibility({ visibilityProperty: true }) && !last.matches(':disabled')) return;
     const dialogs = document.querySelectorAll<HTMLElement>('dialog:modal');
     const next = [...dialogs].at(-1) ?? place;
     next.focus({ preventScroll: true });
-  }, EVERY_MS);
+  }
+  const changes = new MutationObserver(() => (timer ||= window.setTimeout(look, LATER_MS)));
+  changes.observe(document.body, { attributes: true, childList: true, subtree: true });
 }

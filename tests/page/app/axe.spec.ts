@@ -4,6 +4,7 @@
 import type { Page, ViewportSize } from '@playwright/test';
 import AxeBuilder from '@axe-core/playwright';
 import { openText } from '../actions.ts';
+import { faintTexts } from '../faint-texts.ts';
 import { hiddenTexts } from '../hidden-texts.ts';
 import { endlessScene, wavyGrid } from '../meshes.ts';
 import { repeatedValues } from '../repeated-values.ts';
@@ -11,8 +12,10 @@ import { expect, LONG, openPage, state, test, visit, waitForState } from '../sup
 import { walks, withoutGraphics } from '../walks.ts';
 
 /**
- * Returns axe's violations, one line each. None of these pages has its content in frames, so axe's
- * legacy mode, which opens no extra page, is enough.
+ * Returns axe's violations, one line each, and the texts of too little contrast among those that axe
+ * leaves undecided: it does so with text in the very colour of its background, and with text that is
+ * partly scrolled out of sight. None of these pages has its content in frames, so axe's legacy mode,
+ * which opens no extra page, is enough.
  * @param rules all if absent
  */
 async function complaintsOf(page: Page, rules?: string[]) {
@@ -20,14 +23,18 @@ async function complaintsOf(page: Page, rules?: string[]) {
   const axeSource = (await page.evaluate(() => 'axe' in window)) ? ';' : undefined;
   const axe = new AxeBuilder({ page, axeSource })
     .setLegacyMode()
-    .options({ resultTypes: ['violations'] });
-  const { violations } = await (rules ? axe.withRules(rules) : axe).analyze();
-  return violations.flatMap(({ id, impact, nodes }) =>
+    .options({ resultTypes: ['violations', 'incomplete'] });
+  const { violations, incomplete } = await (rules ? axe.withRules(rules) : axe).analyze();
+  const found = violations.flatMap(({ id, impact, nodes }) =>
     nodes.map(({ target, failureSummary = '' }) => {
       const reason = failureSummary.split('\n').slice(1, 3).join(' ').trim();
       return `${impact} ${id} at ${target.join(' ')}: ${reason}`;
     }),
   );
+  const undecided = incomplete.flatMap(({ id, nodes }) =>
+    id === 'color-contrast' ? nodes.map(({ target }) => target.join(' ')) : [],
+  );
+  return [...found, ...(await faintTexts(page, undecided))];
 }
 
 /** Runs in the page: whether nothing fades any more. */
@@ -143,6 +150,19 @@ test('a value that is shown twice is found', async ({ page }) => {
     '35.8 mm: Worst 35.8 mm | off by 35.8 mm',
     '213 mm: Moved 213 mm | up to 213 mm',
   ]);
+});
+
+test('a text in the colour of its background is found', async ({ page }) => {
+  await page.goto('./licences.html');
+  const html =
+    '<main><h1>Heading</h1><button>Save</button><p>Read</p></main>' +
+    '<div hidden><p>Never shown</p></div>';
+  await page.evaluate((html) => {
+    document.body.innerHTML = html;
+    const button = document.querySelector('button');
+    if (button) button.style.cssText = 'color: rgb(31 95 196); background: rgb(31 95 196)';
+  }, html);
+  expect(await complaintsOf(page, OF_COLOURS)).toEqual(['contrast of 1.00 at button: “Save”']);
 });
 
 test('a button whose sentence is in columns is found', async ({ page }) => {

@@ -54,6 +54,17 @@ test('what is opened is open at the next visit, too', async ({ page }) => {
   await expect(page.getByRole('button', { name: 'Add constraint' })).toBeHidden();
 });
 
+test('a closed step says in its heading what it has', async ({ page }) => {
+  await visit(page);
+  const fact = summary(page, 'Shape').getByText('1 constraint');
+  await expect(fact).toHaveCount(0);
+  await summary(page, 'Shape').click();
+  await expect(fact).toBeVisible();
+  await expect(summary(page, 'Move').getByText('5 handles')).toBeVisible();
+  await summary(page, 'Shape').click();
+  await expect(fact).toHaveCount(0);
+});
+
 test('every command is found by its name', async ({ page }) => {
   await visit(page);
   await page.keyboard.press('Control+k');

@@ -6,7 +6,7 @@ import { Emitter } from '../../../www/solver/emitter.ts';
 import { createStore, type State } from '../../../www/store/state.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 import type { Actions } from '../../../www/store/actions.ts';
-import type { Alerts } from '../../../www/ui/controls/alerts.ts';
+import type { Alerts } from '../../../www/ui/controls/alerts.tsx';
 
 const page = {
   ...{ baseURI: 'http://localhost/', documentElement: { dataset: {} } },

@@ -7,7 +7,7 @@ import { Openings } from '../../../www/documents/openings.ts';
 import type { Files } from '../../../www/documents/files.ts';
 import type { NamedBytes } from '../../../www/solver/types.ts';
 import type { Actions } from '../../../www/store/actions.ts';
-import type { Offer } from '../../../www/ui/controls/alerts.ts';
+import type { Offer } from '../../../www/ui/controls/alerts.tsx';
 
 /** A scene without a file that it names, as which the user chooses others, one after the other. */
 async function asked(context: TestContext, missing: string, ...choices: string[]) {

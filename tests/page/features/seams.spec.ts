@@ -43,7 +43,7 @@ test('paper is cut along the selected edges, as one step, and still is after a r
   await button(page, 'Select edges').click();
   await expect(button(page, 'Select edges')).toBeHidden();
   await page.mouse.dblclick(...(await middleOf(page, [vertex(2, 1), vertex(2, 2)])));
-  expect((await state(page)).selection.edges).toHaveLength(N);
+  await expect.poll(async () => (await state(page)).selection.edges).toHaveLength(N);
   await button(page, 'Cut along the selected edges').click();
   await pieces(page, 2);
   await expect(seams(page)).toContainText(`${N} edges are cut.`);

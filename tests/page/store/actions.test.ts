@@ -5,7 +5,7 @@ import { test } from 'node:test';
 import { createActions } from '../../../www/store/actions.ts';
 import { Emitter } from '../../../www/solver/emitter.ts';
 import { createStore, type State } from '../../../www/store/state.ts';
-import type { Alerts } from '../../../www/ui/controls/alerts.ts';
+import type { Alerts } from '../../../www/ui/controls/alerts.tsx';
 import type { JobsClient } from '../../../www/solver/jobs-client.ts';
 import type { SolverClient } from '../../../www/solver/solver-client.ts';
 

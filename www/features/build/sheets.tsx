@@ -36,7 +36,7 @@ export function Sheets({ parts }: { parts: Parts }) {
 
   /** Marks a part or a panel, and tints the panels of its only part in the view. */
   function point(to: Pointed | null) {
-    if (JSON.stringify(to) === JSON.stringify(pointed)) return;
+    if (isSame(to, pointed)) return;
     setPointed(to);
     const parts = shown.flatMap((drawn, k) =>
       partsAt(to, drawn, k).map((part) => drawn.sheet.panels[part]),
@@ -81,6 +81,12 @@ export function Sheets({ parts }: { parts: Parts }) {
       {more > 0 && <p class="quiet">and {more} more</p>}
     </div>
   );
+}
+
+function isSame(a: Pointed | null, b: Pointed | null) {
+  if (!a || !b) return a === b;
+  if ('panel' in a) return 'panel' in b && a.panel === b.panel;
+  return 'part' in b && a.part === b.part && a.sheet === b.sheet;
 }
 
 /** The parts of a sheet with such panels. */

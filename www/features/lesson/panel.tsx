@@ -4,15 +4,14 @@
  */
 
 import './lesson.css';
-import { useLayoutEffect, useRef } from 'preact/hooks';
-import type { ComponentType } from 'preact';
+import { createRef, type ComponentChildren } from 'preact';
+import { useRef } from 'preact/hooks';
 import { isInLegend, movedInWords } from '../../store/colours/measures.ts';
 import { LOCKED, type Lock } from '../../store/panels-card.ts';
 import { showDialog } from '../../store/show-dialog.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { Button, Icon } from '../../ui/components/buttons.tsx';
 import { useThrottled } from '../../ui/components/use-throttled.ts';
-import { byId } from '../../ui/dom.ts';
 import { reveal } from '../../ui/reveal.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { LessonWords } from '../../pkg/engine/shape_up.js';
@@ -44,23 +43,19 @@ function useLesson() {
   return { lesson, now: now?.goals.length === lesson?.goals.length ? now : null };
 }
 
+/** The lesson in its step, to which the line over the view leads. */
+const place = createRef<HTMLElement>();
+
 export function Lesson() {
   const app = useApp();
   const { state } = app.store;
   const { lesson, now } = useLesson();
   const moved = useThrottled(() => (state.document?.lesson ? movedInWords(state) : ''));
-  const isThere = lesson !== null;
-  useLayoutEffect(() => {
-    if (!isThere) return;
-    // Its step may be closed, and the button of the lesson dialog is farther down.
-    byId<HTMLDetailsElement>('step-open').open = true;
-    byId('steps').scrollTo(0, 0);
-  }, [isThere]);
   if (!lesson) return null;
   const locked = LOCKS.filter(([id]) => lesson.lock.includes(id));
   const passed = now?.passed ?? false;
   return (
-    <section id="lesson" aria-labelledby="heading-lesson">
+    <section ref={place} id="lesson" aria-labelledby="heading-lesson">
       <h2 id="heading-lesson">Lesson</h2>
       <p class="lesson-text">{lesson.text}</p>
       <ul aria-label="Goals">
@@ -118,7 +113,7 @@ export function LessonCard() {
         type="button"
         class="card"
         title="Show the goals"
-        onClick={() => reveal(byId('lesson'))}
+        onClick={() => place.current && reveal(place.current)}
       >
         <span>{now ? `${mark(now.passed)} Lesson: ${now.words}` : 'Goals'}</span>
         <Icon name="chevron" />
@@ -128,33 +123,40 @@ export function LessonCard() {
 }
 
 /**
- * Returns a part of the page as one that a lesson may lock: its controls are disabled then. The session
- * also refuses such edits.
+ * A part of the page that a lesson may lock: its controls are disabled then. The session also refuses
+ * such edits.
  * @param words what stays as it is, if that is said above the part
  */
-export const lockable = (lock: Lock, Part: ComponentType, words?: string) =>
-  function Lockable() {
-    const isLocked = useLessonWords()?.lock.includes(lock) ?? false;
-    const note = isLocked && words ? `${lock}-locked` : undefined;
-    return (
-      <>
-        {note && (
-          <p class="locked-note quiet" id={note}>
-            {LOCKED}: {words}.
-          </p>
-        )}
-        <fieldset
-          class="locked"
-          disabled={isLocked}
-          role={isLocked ? undefined : 'presentation'}
-          title={isLocked ? LOCKED : undefined}
-          aria-describedby={note}
-        >
-          <Part />
-        </fieldset>
-      </>
-    );
-  };
+export function Lockable({
+  lock,
+  words,
+  children,
+}: {
+  lock: Lock;
+  words?: string;
+  children: ComponentChildren;
+}) {
+  const isLocked = useLessonWords()?.lock.includes(lock) ?? false;
+  const note = isLocked && words ? `${lock}-locked` : undefined;
+  return (
+    <>
+      {note && (
+        <p class="locked-note quiet" id={note}>
+          {LOCKED}: {words}.
+        </p>
+      )}
+      <fieldset
+        class="locked"
+        disabled={isLocked}
+        role={isLocked ? undefined : 'presentation'}
+        title={isLocked ? LOCKED : undefined}
+        aria-describedby={note}
+      >
+        {children}
+      </fieldset>
+    </>
+  );
+}
 
 /** Opens the dialog that saves a student's results for hand-in. */
 function showHandIn(app: AppContext) {

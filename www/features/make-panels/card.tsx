@@ -11,7 +11,6 @@ import { isLocked, panelsCard } from '../../store/panels-card.ts';
 import { performNamed } from '../../store/perform.ts';
 import { useApp } from '../../store/use-app.ts';
 import { Button, CloseButton } from '../../ui/components/buttons.tsx';
-import { byId } from '../../ui/dom.ts';
 import { showElements } from '../../viewport/camera.ts';
 import { useCover } from '../../viewport/use-cover.ts';
 import { PanelButtons } from './buttons.tsx';
@@ -45,7 +44,7 @@ function Card({
   children: ComponentChildren;
 }) {
   const place = useCover<HTMLDivElement>('bottom', (covered) =>
-    byId('main').style.setProperty('--covered', covered ? `${covered}px` : ''),
+    document.documentElement.style.setProperty('--covered', covered ? `${covered}px` : ''),
   );
   return (
     <div id="make-panels-card" ref={place} role="group" aria-label="Panels" {...rest}>

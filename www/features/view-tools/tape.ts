@@ -3,8 +3,7 @@
  * distance is shown at the tape, and the components in a small table; both follow the mesh.
  */
 
-import { closeButton } from '../../ui/controls/fields.ts';
-import { element, setText } from '../../ui/dom.ts';
+import { element, icon, setText } from '../../ui/dom.ts';
 import { comparedLengths } from '../../ui/words.ts';
 import type { AppContext } from '../../app/context.ts';
 import type { Label } from '../../viewport/viewport.ts';
@@ -31,7 +30,8 @@ export class Tape {
   constructor(app: AppContext) {
     this.#app = app;
     const end = () => app.actions.look({ tape: null });
-    const close = closeButton('End measuring', end, { title: 'Esc' });
+    const about = { 'aria-label': 'End measuring', title: 'Esc', onclick: end };
+    const close = element('button.tiny', about, icon('close'));
     this.#card = element(
       'div.card',
       { id: 'tape', role: 'group', 'aria-label': 'Measuring tape', hidden: true },

@@ -3,28 +3,32 @@
  * user has kept.
  */
 
-import { useEffect } from 'preact/hooks';
+import { createRef } from 'preact';
 import { CommandButton } from '../../store/command-button.tsx';
 import { useApp } from '../../store/use-app.ts';
 import { MOUSE_SETTINGS } from '../../store/state.ts';
 import { CloseButton, Key } from '../../ui/components/buttons.tsx';
 import { Choice } from '../../ui/components/fields.tsx';
+import { Menu } from '../../ui/components/menu.tsx';
 import { MOUSE_NAMES } from '../../viewport/input/mouse.ts';
-import { placeMenu } from '../../ui/controls/navigation.ts';
 import { byId } from '../../ui/dom.ts';
 import { workingKeys } from '../../ui/keys.ts';
 import { fly } from '../../viewport/camera.ts';
 import type { State } from '../../store/state.ts';
 
-/** The popover that the menu is in, which its button opens. */
-const popover = () => byId('view-menu');
+const menu = createRef<HTMLDivElement>();
 
 export function ViewMenu() {
   const { commands } = useApp();
-  useEffect(() => placeMenu(popover(), () => byId('view-menu-button')), []);
   const sides = commands.flatMap(({ id }) => /^view-(.*)/.exec(id)?.slice(1) ?? []);
   return (
-    <>
+    <Menu
+      of={menu}
+      anchor={() => byId('view-menu-button')}
+      id="view-menu"
+      role="dialog"
+      aria-label="Views"
+    >
       <div class="view-cross" role="group" aria-label="Look from">
         {sides.map((name) => (
           <Item key={name} id={`view-${name}`} label={name[0].toUpperCase() + name.slice(1)} />
@@ -39,7 +43,7 @@ export function ViewMenu() {
       <Item id="theme" label="Light or dark" />
       <MouseChoice />
       <KeptViews />
-    </>
+    </Menu>
   );
 }
 
@@ -51,7 +55,7 @@ function Item({ id, label, closes = false }: { id: string; label: string; closes
       of={id}
       class={id}
       title={workingKeys(...keys).join(', ')}
-      onClick={() => closes && popover().hidePopover()}
+      onClick={() => closes && menu.current?.hidePopover()}
     >
       {label}
       {pressed && <Key of={keys} />}

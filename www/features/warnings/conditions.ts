@@ -59,8 +59,9 @@ class Conditions {
   /** Reports the problems of the opened file. */
   #showProblems() {
     const { store, actions, mesh, alerts } = this.#app;
-    const { problems = [] } = store.get().model ?? {};
-    const isListed = document.getElementById('model')?.checkVisibility();
+    const { model, openSteps } = store.get();
+    const { problems = [] } = model ?? {};
+    const isListed = openSteps.includes('open');
     if (problems.length === 0 || isListed) return void this.#lookForFlatFaces();
     const { message, suggestion } = problems.find((problem) => problem.suggestion) ?? problems[0];
     const repair = suggestion &&

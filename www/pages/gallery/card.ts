@@ -1,7 +1,7 @@
 /** A card of the gallery: pictures of start and end, a summary, and the measured results. */
 
 import { element, svgElement } from '../../ui/dom.ts';
-import { linkToExample } from '../../documents/examples.ts';
+import { linkToExample } from '../../solver/examples.ts';
 import { count, number as energyInWords, part } from '../../ui/words.ts';
 import type { Example } from '../../solver/examples.ts';
 

@@ -4,11 +4,11 @@
  */
 
 import { Fragment } from 'preact';
-import { useEffect, useRef, useState } from 'preact/hooks';
+import { useRef, useState } from 'preact/hooks';
 import { combineOf, sizeOfSelection } from '../../store/selection.ts';
 import { useApp } from '../../store/use-app.ts';
 import { CloseButton, Key } from '../../ui/components/buttons.tsx';
-import { placeMenu } from '../../ui/controls/navigation.ts';
+import { Menu } from '../../ui/components/menu.tsx';
 import { count } from '../../ui/words.ts';
 import { opener } from './select-bar.tsx';
 import { Heading, OperationForm, SaveForm } from './select-forms.tsx';
@@ -17,23 +17,19 @@ import type { Operation } from '../../pkg/engine/shape_up.js';
 export function SelectMenu() {
   const menu = useRef<HTMLDivElement>(null);
   const [isOpen, setOpen] = useState(false);
-  useEffect(() => {
-    if (menu.current && opener.current) placeMenu(menu.current, () => opener.current!);
-  }, []);
   return (
-    <div
-      ref={menu}
+    <Menu
+      of={menu}
+      anchor={() => opener.current!}
       id="select-menu"
-      popover="auto"
       role="dialog"
       aria-label="Select"
-      class="menu"
       onBeforeToggle={({ newState }) => newState === 'open' && setOpen(true)}
       // Not before it is closed: what has the focus in it gives that back.
       onToggle={({ newState }) => newState === 'closed' && setOpen(false)}
     >
       {isOpen && <Content close={() => menu.current?.hidePopover()} />}
-    </div>
+    </Menu>
   );
 }
 

@@ -94,6 +94,6 @@ export function colourFaces(store: Store, solver: SolverClient, view: () => View
     const before = original?.length === values.length ? original : null;
     const { range, spread } = spreadOf(drawing, state, about, values, before);
     if (range.some((end, i) => end !== state.range[i])) store.set({ range });
-    if (JSON.stringify(spread) !== JSON.stringify(state.spread)) store.set({ spread });
+    store.set({ spread });
   }
 }

@@ -1,14 +1,12 @@
 /** A part of the page with a title, which is closed by a cross or by Escape. */
 
 import type { ComponentChildren, Ref } from 'preact';
-import { byId } from '../dom.ts';
 import { CloseButton } from './buttons.tsx';
 
 /**
  * @param props.id of the part
  * @param props.row the class of the row of the title
  * @param props.head what is beside the title
- * @param props.close the focus then goes to the view
  */
 export function Pane({
   row,
@@ -25,10 +23,6 @@ export function Pane({
   children: ComponentChildren;
 }) {
   const heading = `heading-${rest.id}`;
-  function leave() {
-    close();
-    byId('viewport').focus({ preventScroll: true });
-  }
   return (
     <section
       ref={place}
@@ -37,13 +31,13 @@ export function Pane({
       onKeyDown={(event) => {
         if (event.key !== 'Escape') return;
         event.stopPropagation();
-        leave();
+        close();
       }}
     >
       <div class={row}>
         <h2 id={heading}>{title}</h2>
         {head}
-        <CloseButton label={`Close ${title.toLowerCase()}`} onClick={leave} />
+        <CloseButton label={`Close ${title.toLowerCase()}`} onClick={close} />
       </div>
       {children}
     </section>

@@ -1,8 +1,4 @@
-/** Dialogs with a title, a close button, and a body. */
-
-import '../styles/dialog.css';
-import { element } from '../dom.ts';
-import { closeButton } from './fields.ts';
+/** Dialogs that are open. */
 
 /** Dialogs about the open model. */
 const ABOUT_MODEL = 'dialog[data-about="model"]';
@@ -28,45 +24,4 @@ export function showInFront(place: HTMLElement, home: HTMLElement) {
   if (place.parentElement === parent) return;
   parent.prepend(place);
   front?.addEventListener('close', () => showInFront(place, home), { once: true });
-}
-
-/**
- * Shows a dialog, and removes it when it is closed. The one that a quick second press asks for takes
- * the place of the first.
- * @param about `light`: a click outside closes it; `lasts`: it is not about the open model
- */
-export function openDialog(
-  {
-    id,
-    title,
-    light = false,
-    lasts = false,
-  }: { id: string; title: string; light?: boolean; lasts?: boolean },
-  ...body: Node[]
-) {
-  const before = document.getElementById(id);
-  if (before instanceof HTMLDialogElement) before.close();
-  const dialog = element('dialog', {
-    id,
-    'aria-labelledby': `${id}-title`,
-    ...(!lasts && { 'data-about': 'model' }),
-  });
-  const head = element(
-    'div.dialog-head',
-    element('h2', { id: `${id}-title` }, title),
-    closeButton('Close', () => dialog.close(), { class: 'square' }),
-  );
-  dialog.append(head, ...body);
-  dialog.addEventListener('close', () => dialog.remove());
-  if (light) {
-    // A drag that selects text may end outside.
-    let isBegunOutside = false;
-    dialog.addEventListener('pointerdown', ({ target }) => (isBegunOutside = target === dialog));
-    dialog.addEventListener('click', ({ target }) => {
-      if (target === dialog && isBegunOutside) dialog.close();
-    });
-  }
-  document.body.append(dialog);
-  dialog.showModal();
-  return dialog;
 }

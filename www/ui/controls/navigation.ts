@@ -66,7 +66,7 @@ const MOUSE = matchMedia('(pointer: fine)');
  * Makes a popover a menu: it opens at its button, inside the window, also when the window is resized, and
  * supports the arrow keys.
  */
-export function placeMenu(menu: HTMLElement, anchor: () => HTMLElement) {
+export function placeMenu(menu: HTMLElement, anchor: () => Pick<Element, 'getBoundingClientRect'>) {
   const place = () => {
     const at = anchor().getBoundingClientRect();
     // A menu at a point opens beside it, except for touch, where the finger would press it.

@@ -1,10 +1,10 @@
 /** A card that shows how far something has got, and may offer to cancel it. */
 
 import '../styles/waiting.css';
-import { element, removeKeepingFocus, setText, type Attributes } from '../dom.ts';
-import { button } from './fields.ts';
+import { element, setText, type Attributes } from '../dom.ts';
 
-const SMALL = { class: 'small bordered' };
+const button = (label: string, onclick: () => void, attributes: Attributes = {}) =>
+  element('button.small.bordered', { onclick, ...attributes }, label);
 
 export class ProgressCard {
   #text = element('p');
@@ -25,7 +25,7 @@ export class ProgressCard {
     this.#element = element('div', all, words, this.#buttons);
     place.append(this.#element);
     if (!cancel) return;
-    this.#buttons.append(button('Cancel', cancel, SMALL));
+    this.#buttons.append(button('Cancel', cancel));
     this.#element.addEventListener('keydown', (event) => {
       if (event.key !== 'Escape') return;
       event.stopPropagation();
@@ -47,7 +47,7 @@ export class ProgressCard {
     this.#bar.hidden = true;
     await new Promise<void>((done) => {
       // Screen readers read the question with the focused button.
-      const go = button(yes, done, { ...SMALL, 'aria-describedby': this.#text.id });
+      const go = button(yes, done, { 'aria-describedby': this.#text.id });
       this.#buttons.prepend(go);
       go.focus();
     });
@@ -57,6 +57,6 @@ export class ProgressCard {
   }
 
   remove() {
-    removeKeepingFocus(this.#element, () => this.#element.remove());
+    this.#element.remove();
   }
 }

@@ -1,9 +1,9 @@
 /** Important messages: errors and notices, in the page's only `role="alert"`. */
 
 import { signal } from '@preact/signals';
-import { element, removeKeepingFocus } from '../dom.ts';
+import { render } from 'preact';
+import { Button, CloseButton } from '../components/buttons.tsx';
 import { showInFront } from './dialog.ts';
-import { button, closeButton } from './fields.ts';
 
 /** A button of a message. */
 export type Offer = { label: string; action: () => void };
@@ -14,6 +14,14 @@ export interface Entry {
   time: Date;
   kind: 'error' | 'notice' | 'status';
   text: string;
+}
+
+/** A message that is shown. */
+interface Message {
+  id: number;
+  kind: 'error' | 'notice';
+  text: string;
+  offers: Offer[];
 }
 
 /** The most entries of the journal; older ones are dropped. */
@@ -34,14 +42,42 @@ export class Alerts {
   #isFatal = false;
 
   /** Those of a moment that is over, as by the user's last press. */
-  #seen: Set<Element> = new Set();
+  #seen: Set<Message> = new Set();
+  #shown = signal<Message[]>([]);
+  #last = 0;
 
-  /** @param place the `role="alert"` */
+  /**
+   * The messages are a tree of their own: they also tell what went wrong with that of the page.
+   * @param place the `role="alert"`
+   */
   constructor(place: HTMLElement) {
     this.#place = place;
     this.#home = place.parentElement ?? document.body;
     for (const press of ['pointerdown', 'keydown'])
-      window.addEventListener(press, () => (this.#seen = new Set(place.children)), true);
+      window.addEventListener(press, () => (this.#seen = new Set(this.#shown.peek())), true);
+    const Messages = () => (
+      <>
+        {this.#shown.value.map((message) => (
+          <div key={message.id} class={`message ${message.kind}`}>
+            <p>{message.text}</p>
+            {message.offers.map(({ label, action }) => (
+              <Button
+                key={label}
+                class="small bordered"
+                onClick={() => {
+                  this.#withdraw(message);
+                  action();
+                }}
+              >
+                {label}
+              </Button>
+            ))}
+            <CloseButton label="Dismiss" onClick={() => this.#withdraw(message)} />
+          </div>
+        ))}
+      </>
+    );
+    render(<Messages />, place);
   }
 
   /**
@@ -65,7 +101,7 @@ export class Alerts {
   /** Reports a fatal problem. Errors that it causes do not replace it. */
   stop(message: string, offer: Offer) {
     if (this.#isFatal) return;
-    this.#remove(...this.#place.children);
+    this.#shown.value = [];
     this.#show(message, 'error', [offer]);
     this.#isFatal = true;
   }
@@ -87,7 +123,7 @@ export class Alerts {
   /** Clears all messages, as Escape does, and others of the view. */
   clear() {
     for (const clear of this.#others) clear();
-    if (!this.#isFatal) this.#remove(...this.#place.children);
+    if (!this.#isFatal) this.#shown.value = [];
   }
 
   /** Also clears messages that are shown elsewhere. */
@@ -95,9 +131,11 @@ export class Alerts {
     this.#others.push(clear);
   }
 
-  #remove(...messages: Element[]) {
-    for (const one of messages)
-      if (one instanceof HTMLElement) removeKeepingFocus(one, () => one.remove());
+  #withdraw(message: Message) {
+    const others = this.#shown.peek().filter((one) => one !== message);
+    if (others.length === this.#shown.peek().length) return;
+    this.#isFatal = false;
+    this.#shown.value = others;
   }
 
   /**
@@ -105,41 +143,19 @@ export class Alerts {
    * offers something else stays: nothing else may offer that. So does another notice of the same moment,
    * as of one opening: nobody has read it.
    */
-  #show(message: string, kind: 'error' | 'notice', offers: Offer[]) {
-    this.note(message, kind);
+  #show(text: string, kind: Message['kind'], offers: Offer[]) {
+    this.note(text, kind);
     if (this.#isFatal) return () => {};
-    const withdraw = () => {
-      if (!shown.isConnected) return;
-      this.#isFatal = false;
-      this.#remove(shown);
-    };
-    const close = closeButton('Dismiss', withdraw);
-    const buttons = offers.map(({ label, action }) => {
-      const onclick = () => {
-        withdraw();
-        action();
-      };
-      return button(label, onclick, { class: 'small bordered' });
-    });
-    const offered = offers.map(({ label }) => label).join();
-    const shown = element(
-      'div',
-      { class: `message ${kind}`, 'data-offers': offered },
-      element('p', message),
-      ...buttons,
-      close,
-    );
-    const before = [...this.#place.querySelectorAll<HTMLElement>(':scope > *')];
-    const isNew = (one: Element) =>
-      one.matches('.notice') && !this.#seen.has(one) && one.firstChild?.textContent !== message;
-    const stay = before.filter((one) =>
-      one.dataset.offers ? one.dataset.offers !== offered : isNew(one),
-    );
-    stay.splice(0, stay.length + 1 - MOST_SHOWN);
-    this.#remove(...before.filter((one) => !stay.includes(one)));
-    this.#place.append(shown);
-    setTimeout(() => this.#seen.add(shown), MOMENT_MS);
+    const message = { id: ++this.#last, kind, text, offers };
+    const wordsOf = (one: Message) => one.offers.map(({ label }) => label).join();
+    const isNew = (one: Message) =>
+      one.kind === 'notice' && !this.#seen.has(one) && one.text !== text;
+    const stay = this.#shown
+      .peek()
+      .filter((one) => (one.offers.length > 0 ? wordsOf(one) !== wordsOf(message) : isNew(one)));
+    this.#shown.value = [...stay.slice(-MOST_SHOWN + 1), message];
+    setTimeout(() => this.#seen.add(message), MOMENT_MS);
     showInFront(this.#place, this.#home);
-    return withdraw;
+    return () => this.#withdraw(message);
   }
 }

@@ -3,72 +3,82 @@
  * which the element under the pointer has been added.
  */
 
+import { signal } from '@preact/signals';
+import { useLayoutEffect, useRef } from 'preact/hooks';
 import { areHandlesLocked } from '../../store/handles.ts';
 import { isEnabled, perform } from '../../store/perform.ts';
-import { byId, element } from '../../ui/dom.ts';
-import { placeMenu } from '../../ui/controls/navigation.ts';
-import { once } from '../../ui/once.ts';
+import { useApp } from '../../store/use-app.ts';
+import { Menu } from '../../ui/components/menu.tsx';
 import type { AppContext } from '../../app/context.ts';
 
-/** The anchor of the menu, in CSS pixels of the page. */
-let place = new DOMRect();
-
-/** The only one of the page. */
-const theMenu = once(() => {
-  const menu = element('div.menu', {
-    id: 'context-menu',
-    popover: 'manual',
-    role: 'menu',
-    'aria-label': 'What is here',
-  });
-  byId('menus').append(menu);
-  placeMenu(menu, () => ({ getBoundingClientRect: () => place }) as HTMLElement);
-  // An automatic popover would close when the finger of the long press is lifted.
-  const leave = (event: Event) => {
-    if (!(event.target instanceof Node && menu.contains(event.target))) menu.hidePopover();
-  };
-  menu.addEventListener('toggle', (event) => {
-    const isOpen = event.newState === 'open';
-    const change = isOpen ? window.addEventListener : window.removeEventListener;
-    for (const name of ['pointerdown', 'wheel', 'resize']) change(name, leave, true);
-  });
-  return menu;
-});
+/** Where it was asked for, in CSS pixels of the page; null while it is closed. */
+const asked = signal<[number, number] | null>(null);
 
 /** @param at in CSS pixels of the page */
-export function showContextMenu(at: [number, number], app: AppContext) {
-  const { store, viewport, actions } = app;
-  const menu = theMenu();
-  place = new DOMRect(...at, 0, 0);
-  menu.replaceChildren(
-    ...sectionsOf(app).map(([heading, items]) =>
-      element(
-        'div.section',
-        { role: 'group', 'aria-label': heading },
-        element('p.heading.quiet', { 'aria-hidden': 'true' }, heading),
-        ...items.map(([label, action]) => item(label, action)),
-      ),
-    ),
-  );
-  function item(label: string, action: () => void): HTMLElement {
-    const onclick = () => {
-      close();
-      action();
+export const showContextMenu = (at: [number, number]) => (asked.value = at);
+
+export function ContextMenu() {
+  const app = useApp();
+  const menu = useRef<HTMLDivElement>(null);
+  const at = asked.value;
+  useLayoutEffect(() => {
+    const place = menu.current;
+    if (!at || !place) return;
+    if (!app.store.get().model) return app.actions.setStatus('Nothing is open yet');
+    place.showPopover();
+    // An automatic popover would close when the finger of the long press is lifted.
+    const leave = ({ target }: Event) => {
+      if (!(target instanceof Node && place.contains(target))) place.hidePopover();
     };
-    return element('button', { role: 'menuitem', onclick }, label);
-  }
+    const names = ['pointerdown', 'wheel', 'resize'];
+    for (const name of names) window.addEventListener(name, leave, true);
+    return () => names.forEach((name) => window.removeEventListener(name, leave, true));
+  }, [at]);
   const close = () => {
-    menu.hidePopover();
-    viewport.element.focus({ preventScroll: true });
+    menu.current?.hidePopover();
+    app.viewport.element.focus({ preventScroll: true });
   };
-  menu.onkeydown = (event) => {
-    if (event.key !== 'Escape' && event.key !== 'Tab') return;
-    event.preventDefault();
-    event.stopPropagation();
-    close();
-  };
-  if (store.get().model) menu.showPopover();
-  else actions.setStatus('Nothing is open yet');
+  return (
+    <Menu
+      of={menu}
+      anchor={() => ({ getBoundingClientRect: () => new DOMRect(...(at ?? []), 0, 0) })}
+      id="context-menu"
+      popover="manual"
+      role="menu"
+      aria-label="What is here"
+      onToggle={({ newState }) => {
+        if (newState === 'closed' && asked.value === at) asked.value = null;
+      }}
+      onKeyDown={(event) => {
+        if (event.key !== 'Escape' && event.key !== 'Tab') return;
+        event.preventDefault();
+        event.stopPropagation();
+        close();
+      }}
+    >
+      {at &&
+        sectionsOf(app).map(([heading, items]) => (
+          <div key={heading} class="section" role="group" aria-label={heading}>
+            <p class="heading quiet" aria-hidden="true">
+              {heading}
+            </p>
+            {items.map(([label, action]) => (
+              <button
+                key={label}
+                type="button"
+                role="menuitem"
+                onClick={() => {
+                  close();
+                  action();
+                }}
+              >
+                {label}
+              </button>
+            ))}
+          </div>
+        ))}
+    </Menu>
+  );
 }
 
 type Item = [label: string, action: () => void];

@@ -3,11 +3,11 @@
  * such a shape is exported.
  */
 
-import { openDialog } from '../ui/controls/dialog.ts';
-import { button } from '../ui/controls/fields.ts';
-import { element } from '../ui/dom.ts';
+import { useEffect } from 'preact/hooks';
 import { isLocked } from '../store/panels-card.ts';
+import { showDialog, type InDialog } from '../store/show-dialog.tsx';
 import { untilChanged } from '../store/until-changed.ts';
+import { Button } from '../ui/components/buttons.tsx';
 import { oneAtATime } from '../ui/once.ts';
 import type { AppContext } from '../app/context.ts';
 
@@ -42,21 +42,27 @@ export function reportCollapse({ store, alerts, actions }: AppContext, collapse:
 export const askToExport = oneAtATime(askOnce);
 
 /** @param collapse description, as the end of a sentence */
-function askOnce(collapse: string): Promise<boolean> {
-  const answer = (value: string) => () => dialog.close(value);
-  const dialog = openDialog(
-    { id: 'export-anyway', title: 'Export this shape?' },
-    element(
-      'div.dialog-body',
-      element('p', `While iterating, ${collapse}. You probably do not want to export this shape.`),
-      element(
-        'div.dialog-foot',
-        button('Export anyway', answer('export')),
-        button('Cancel', answer(''), { class: 'primary' }),
-      ),
-    ),
-  );
-  return new Promise((resolve) =>
-    dialog.addEventListener('close', () => resolve(dialog.returnValue === 'export')),
-  );
+function askOnce(app: AppContext, collapse: string): Promise<boolean> {
+  return new Promise((resolve) => {
+    function Question({ close }: InDialog) {
+      // However it is closed.
+      useEffect(() => () => resolve(false), []);
+      const anyway = () => {
+        resolve(true);
+        close();
+      };
+      return (
+        <div class="dialog-body">
+          <p>While iterating, {collapse}. You probably do not want to export this shape.</p>
+          <div class="dialog-buttons">
+            <Button onClick={anyway}>Export anyway</Button>
+            <Button class="primary" onClick={close}>
+              Cancel
+            </Button>
+          </div>
+        </div>
+      );
+    }
+    showDialog(app, { id: 'export-anyway', title: 'Export this shape?' }, Question);
+  });
 }
