@@ -15,6 +15,7 @@ import { startNative } from './native.mjs';
 import { casesOf, measured, parts, tablesOf, textsOf } from './parts.mjs';
 import { benchFolder, letters } from './problems.mjs';
 import { isQuiet, otherLoad, otherLoadText } from './quiet.mjs';
+import { writeNumbers } from './readme.mjs';
 import { table } from './tables.mjs';
 
 const usual = ['iterations', 'maps', 'convergence', 'start'];
@@ -27,7 +28,8 @@ const usage = `npm run bench -- [options]
   --where W,W      of native, browser (default both)
   --full           all sizes and parts
   --trial          check that it works, with what has been built for the tests
-  --write          write the tables of src/solve/performance.md, on a quiet machine
+  --write          write the tables of src/solve/performance.md and the numbers of the README, on a
+                   quiet machine
 
 Writes target/bench/bench.md and target/bench/bench.json.`;
 
@@ -176,7 +178,9 @@ async function bench(words) {
   console.log(`\n${text}`);
   const failed = Object.values(results.rows).flatMap((all) => all.filter((row) => row.failed));
   if (failed.length) throw new Problem(`${failed.length} measurements failed, see above`);
-  if (options.write) writeTables(results, at(page));
+  if (!options.write) return;
+  writeTables(results, at(page));
+  writeNumbers(results.rows, at('README.md'));
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

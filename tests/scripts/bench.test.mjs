@@ -11,6 +11,7 @@ import { peers } from '../../.scripts/bench/peers.mjs';
 import { problemOf, problems } from '../../.scripts/bench/problems.mjs';
 import { isQuiet, otherLoadText } from '../../.scripts/bench/quiet.mjs';
 import { median, repeated, spread, spreads } from '../../.scripts/bench/statistics.mjs';
+import { writeNumbers } from '../../.scripts/bench/readme.mjs';
 import { number, table } from '../../.scripts/bench/tables.mjs';
 import { formulas, kernels, reasons, sizesOf, workOf } from '../../.scripts/bench/work.mjs';
 import { at } from '../../.scripts/project.mjs';
@@ -146,6 +147,43 @@ test('it is said where the time is that is above twice the limit', () => {
   assert.deepEqual(said, [
     'A takes 2.50 to 3 times its limit. Of its time: global step 50 to 60 % (4 times its own limit), projections 30 to 40 % (2.50 times its own limit).',
   ]);
+});
+
+test('the numbers of the README are those of the run', () => {
+  const its = (...times) => spread(times);
+  const quads = [0.1, 0.2, 0.3, 0.4].map((mean) => ({ surface: 'vault', quads: { mean } }));
+  const plain = { none: { total: its(7) }, 'quasi-newton': { total: its(8) } };
+  const rows = {
+    iterations: [{ problem: 'A', vertices: 29_929, browser: plain }],
+    quads: [...quads, { surface: 'hills', quads: { mean: 9 } }],
+    start: [{ visit: 'first visit', seen: { drawn: its(3000) } }],
+    peers: [
+      {
+        ...{ problem: 'rough circles', its: its(9), itsDistance: 0.004 },
+        exact: { distance: 3e-13, seconds: its(0.5) },
+      },
+      { problem: 'circles', its: its(14), ours: { native: its(1), browser: its(2) } },
+    ],
+  };
+  const before = readFileSync(at('README.md'), 'utf8').split('\n');
+  const path = join(mkdtempSync(join(tmpdir(), 'shape-up-bench-')), 'README.md');
+  writeFileSync(path, before.join('\n'));
+  writeNumbers(rows, path);
+  const after = readFileSync(path, 'utf8').split('\n');
+  const changed = after.filter((line, k) => line !== before[k]);
+  assert.equal(after.length, before.length);
+  assert.deepEqual(
+    changed.map((line) => line.split(' | ')[1]),
+    [
+      '7 ms, accelerated 8',
+      '3e-13 in 0.500 s; compas_shapeop 0.004 in 9 s',
+      '0.100; quads of Instant Meshes 0.300, of QuadriFlow 0.400',
+      '2 ms in the browser, 1 natively; compas_shapeop 14',
+      '3,000 ms',
+    ],
+  );
+  assert.match(changed[0], /^\| An iteration .* \| `npm run bench .*` \|$/);
+  assert.throws(() => writeNumbers({ ...rows, start: [] }, path), /no measurement of first visit/);
 });
 
 test('a machine is not quiet if others compute, or take our core', () => {
