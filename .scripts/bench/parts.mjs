@@ -168,7 +168,7 @@ function limitTexts(rows) {
   const machines = rows.filter(({ limit }) => limit).map(({ limit }) => limit.machine);
   if (!machines.length) return [];
   const best = (of) => number(Math.max(...machines.map((machine) => machine[of])) / 1e6);
-  const can = `At best this machine adds or multiplies ${best('double')} billion numbers a second in double and ${best('single')} in single precision, and divides ${best('divisions')}; bytes are copied at ${best('bytes')} GB a second if they fit its caches.`;
+  const can = `At best this machine adds or multiplies ${best('double')} billion numbers a second in double and ${best('single')} in single precision, and divides ${best('divisions')}; bytes are read and written at ${best('bytes')} GB a second if they fit its caches.`;
   return [can, formulas(), ...reasons(rows)];
 }
 
