@@ -151,20 +151,21 @@ function range(values, text) {
 export function reasons(rows) {
   const limited = rows.filter(({ limit }) => limit?.times > 2);
   return [...new Set(limited.map(({ problem }) => problem))].map((name) => {
-    const limits = limited.filter(({ problem }) => problem === name).map(({ limit }) => limit);
+    const own = limited.filter(({ problem }) => problem === name);
+    const limits = own.map(({ limit }) => limit);
     const named = Object.keys(limits[0].parts).filter((part) => part in measuredAs);
     const shares = named.map((part) => {
-      const own = limits.map(({ parts }) => parts[part]);
-      const [share, times] = [(one) => one.share, (one) => one.times].map((of) => own.map(of));
+      const share = limits.map(({ parts }) => parts[part].share);
+      const times = limits.map(({ parts }) => parts[part].times);
       const percent = range(share, (value) => (100 * value).toFixed(0));
       const text = `${part} ${percent} % (${range(times, number)} times its own limit)`;
       return { mean: sum(share), text };
     });
     const texts = shares.toSorted((a, b) => b.mean - a.mean).map(({ text }) => text);
-    const most = range(
-      limits.map(({ times }) => times),
-      number,
-    );
-    return `${name} takes ${most} times its limit. Of its time: ${texts.join(', ')}.`;
+    const [sizes, times] = [
+      own.map(({ vertices }) => vertices),
+      limits.map((limit) => limit.times),
+    ];
+    return `${name} with ${range(sizes, number)} vertices takes ${range(times, number)} times its limit. Of its time: ${texts.join(', ')}.`;
   });
 }

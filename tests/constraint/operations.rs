@@ -3,7 +3,7 @@
 use crate::support::random::{Random, centred};
 use serde_json::json;
 use shape_up::constraint::{Kind, KindVisitor, Projection};
-use shape_up::math::{Lane, Vec3};
+use shape_up::math::{Lane, Vec3, cosine, sine};
 use std::cell::Cell;
 use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub, SubAssign};
 
@@ -95,8 +95,8 @@ impl KindVisitor for Count {
     fn visit<P: Projection>(self, operator: &P) -> [usize; 2] {
         let mut random = Random::new(7);
         let round = |k: usize| {
-            let angle = k as f64 / self.points as f64 * std::f64::consts::TAU;
-            Vec3::new(angle.cos(), angle.sin(), 0.0)
+            let turns = k as f64 / self.points as f64;
+            Vec3::new(cosine(turns), sine(turns), 0.0)
         };
         let rest = centred(&(0..self.points).map(round).collect::<Vec<_>>());
         let moved: Vec<_> = rest.iter().map(|&p| p + random.vector() * 0.02).collect();

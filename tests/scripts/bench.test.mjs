@@ -127,8 +127,8 @@ test('the documentation has the operations that are counted', () => {
 });
 
 test('it is said where the time is that is above twice the limit', () => {
-  const row = (problem, times, share) => ({
-    problem,
+  const row = (problem, vertices, times, share) => ({
+    ...{ problem, vertices },
     limit: {
       times,
       parts: {
@@ -139,13 +139,13 @@ test('it is said where the time is that is above twice the limit', () => {
     },
   });
   const said = reasons([
-    row('A', 3, 0.3),
-    row('A', 2.5, 0.4),
-    row('B', 1.9, 0.3),
+    row('A', 500, 3, 0.3),
+    row('A', 900, 2.5, 0.4),
+    row('B', 500, 1.9, 0.3),
     { problem: 'E' },
   ]);
   assert.deepEqual(said, [
-    'A takes 2.50 to 3 times its limit. Of its time: global step 50 to 60 % (4 times its own limit), projections 30 to 40 % (2.50 times its own limit).',
+    'A with 500 to 900 vertices takes 2.50 to 3 times its limit. Of its time: global step 50 to 60 % (4 times its own limit), projections 30 to 40 % (2.50 times its own limit).',
   ]);
 });
 
