@@ -22,7 +22,8 @@ export function timesIn(markdown) {
   const times = new Map();
   for (const row of rows) {
     const cells = row.split('|').slice(1, -1);
-    const [vertices, time] = [SIZE, TIME].map((k) => Number(cells[k].replace(/,/g, '')));
+    // The spread follows the median.
+    const [vertices, time] = [SIZE, TIME].map((k) => parseFloat(cells[k].replace(/,/g, '')));
     const problem = cells[PROBLEM].trim();
     times.set(problem, [...(times.get(problem) ?? []), [vertices, time]]);
   }

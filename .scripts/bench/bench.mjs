@@ -12,9 +12,10 @@ import { main, outputOf, Problem, say } from '../run.mjs';
 import { setUp } from '../setup.mjs';
 import { startBrowser } from './browser.mjs';
 import { startNative } from './native.mjs';
-import { casesOf, measured, parts, tablesOf } from './parts.mjs';
+import { casesOf, measured, parts, tablesOf, textsOf } from './parts.mjs';
 import { benchFolder, letters } from './problems.mjs';
 import { isQuiet, otherLoad, otherLoadText } from './quiet.mjs';
+import { writeNumbers } from './readme.mjs';
 import { table } from './tables.mjs';
 
 const usual = ['iterations', 'maps', 'convergence', 'start'];
@@ -27,7 +28,8 @@ const usage = `npm run bench -- [options]
   --where W,W      of native, browser (default both)
   --full           all sizes and parts
   --trial          check that it works, with what has been built for the tests
-  --write          write the tables of src/solve/performance.md, on a quiet machine
+  --write          write the tables of src/solve/performance.md and the numbers of the README, on a
+                   quiet machine
 
 Writes target/bench/bench.md and target/bench/bench.json.`;
 
@@ -57,8 +59,9 @@ export function optionsOf(args) {
       const strange = values[name]?.find((word) => !isGood[name](word));
       if (strange !== undefined) throw new Problem(`--${name} ${strange}: not known`);
     }
-    // A trial is no measurement.
-    if (values.trial && values.write) throw new Problem('--write: not with --trial');
+    // The documentation has all tables, of measurements in all places.
+    const isWhole = values.full && args.every((word) => ['--full', '--write'].includes(word));
+    if (values.write && !isWhole) throw new Problem('--write: only with --full, and nothing else');
     const chosen = values.full ? Object.keys(parts) : usual;
     return { ...values, sizes: values.sizes?.map(Number), parts: values.parts ?? chosen };
   } catch (error) {
@@ -82,7 +85,11 @@ async function begin({ where, trial }) {
 async function rowsOf(name, options, on) {
   const rows = [];
   for (const one of casesOf(name, options)) {
-    say([name, one.peer?.library, one.problem, one.size].filter(Boolean).join(', '));
+    say(
+      [name, one.peer?.library, one.problem ?? one.surface, one.size ?? one.panels]
+        .filter(Boolean)
+        .join(', '),
+    );
     try {
       const found = [await measured(name, one, options.where, on)].flat();
       rows.push(...found.map((values) => ({ ...one, ...values })));
@@ -130,12 +137,15 @@ async function measure(options, words) {
 
 /** Returns the tables of results as text. */
 function markdown({ machine, moments, rows }) {
-  const texts = Object.entries(rows).flatMap(([name, all]) =>
-    tablesOf(name)
+  const texts = Object.entries(rows).flatMap(([name, all]) => [
+    ...tablesOf(name)
       .map(([title, columns]) => [title, table(columns, all)])
       .filter(([, text]) => text),
-  );
-  return [`${machine} ${otherLoadText(...moments)}`, ...texts.flat()].join('\n\n');
+    textsOf(name, all),
+  ]);
+  const kinds =
+    'Times are medians of several runs, with the middle half of them in parentheses; "once" is a single run, of what takes long.';
+  return [`${machine} ${otherLoadText(...moments)}`, kinds, ...texts.flat()].join('\n\n');
 }
 
 /** The page of the documentation that has the tables, and the lines that enclose them. */
@@ -168,7 +178,9 @@ async function bench(words) {
   console.log(`\n${text}`);
   const failed = Object.values(results.rows).flatMap((all) => all.filter((row) => row.failed));
   if (failed.length) throw new Problem(`${failed.length} measurements failed, see above`);
-  if (options.write) writeTables(results, at(page));
+  if (!options.write) return;
+  writeTables(results, at(page));
+  writeNumbers(results.rows, at('README.md'));
 }
 
 if (process.argv[1] === fileURLToPath(import.meta.url)) {

@@ -5,7 +5,7 @@ import { join } from 'node:path';
 import { program, targetFolder } from '../project.mjs';
 import { outputOf, Problem, run, say } from '../run.mjs';
 import { benchFolder } from './problems.mjs';
-import { median } from './statistics.mjs';
+import { spread } from './statistics.mjs';
 
 /** The iterations of a short run, and how often it and a longer one are made. */
 const FEW = 20;
@@ -45,7 +45,7 @@ export async function startNative(trial) {
       const of = (accelerator) => {
         const take = (count) => call(...words, count, '--accelerator', accelerator);
         const pair = () => take(FEW + more) - take(FEW);
-        return { total: median(Array.from({ length: TIMES }, pair)) / more };
+        return { total: spread(Array.from({ length: TIMES }, () => pair() / more)) };
       };
       return { none: of('none'), 'quasi-newton': of('quasi-newton') };
     },

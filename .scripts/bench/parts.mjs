@@ -1,33 +1,41 @@
 // The parts of the benchmark: the problems and sizes that each measures, and the tables of its rows.
 
-import { measureLimits } from './limits.mjs';
 import { measurePeer, peers } from './peers.mjs';
 import { letters, problemOf } from './problems.mjs';
 import { measureQuads, quadCases } from './quads.mjs';
 import { measureStart } from './start.mjs';
+import { repeated } from './statistics.mjs';
+import { number } from './tables.mjs';
+import { formulas, measureLimits, reasons } from './work.mjs';
 
-const SIZES = { sizes: [2500, 10_000], more: [30_000, 100_000] };
-
-/** Where ours is measured beside a peer: natively if both make panels exact. */
-const placeOf = (peer) => (peer.what ? 'browser' : 'native');
+const SIZES = [2500, 10_000];
 
 const rowOf = ({ surface, kind, vertices }) => ({ surface, kind, vertices });
 
 /**
  * By name: the `problems` in vertices of `sizes`, with `--full` also of `more`, and the `places` of
- * the measurement of this name, which are both unless named. Some parts have their own `cases` for
- * the options, or `measure` one as a row or several. `tables` are columns by title.
+ * the measurement of this name, which are both unless named; it is made several times if it `repeats`
+ * a time. Some parts have their own `cases` for the options, or `measure` one as a row or several.
+ * `tables` are columns by title, `texts` of the rows follow them.
  */
 export const parts = {
   iterations: {
     problems: ['A', 'B', 'C', 'E'],
-    ...SIZES,
+    sizes: SIZES,
+    more: [500, 1000, 30_000, 100_000],
+    async measure(one, on, where) {
+      const row = await measuredIn('iterations', one, where, on);
+      if (where.length < 2) return row;
+      const times = row.browser['quasi-newton'];
+      const limit = await measureLimits(problemOf(one.problem, one.size), times, on);
+      return { ...row, limit };
+    },
     tables: {
       'In the browser, milliseconds, medians:': `
         problem | vertices | iteration = browser.quasi-newton.total |
         of it projections = browser.quasi-newton.shape |
-        closeness = browser.quasi-newton.close | global step = browser.quasi-newton.global |
-        file opened = browser.quasi-newton.opened |
+        closeness = browser.quasi-newton.close | smoothness = browser.quasi-newton.smooth |
+        global step = browser.quasi-newton.global | file opened = browser.quasi-newton.opened |
         constraints changed = browser.quasi-newton.change |
         handle added = browser.quasi-newton.handle`,
       'An iteration by accelerator and place, milliseconds:': `
@@ -35,20 +43,15 @@ export const parts = {
         plain, in the browser = browser.none.total |
         quasi-newton, natively = native.quasi-newton.total |
         quasi-newton, in the browser = browser.quasi-newton.total`,
+      'The limit of an iteration in the browser: what it moves and computes at least, and the milliseconds that this takes at best on this machine; then how many times as long the iteration takes, and each of its parts beside its own limit:': `
+        problem | vertices | MB = limit.millions.bytes |
+        million operations, double = limit.millions.double | single = limit.millions.single |
+        divisions, roots = limit.millions.divisions | to move = limit.moved |
+        to compute = limit.computed | times the larger = limit.times |
+        projections = limit.parts.projections.times | closeness = limit.parts.closeness.times |
+        smoothness = limit.parts.smoothness.times | global step = limit.parts.global step.times`,
     },
-  },
-
-  limits: {
-    problems: ['A', 'B', 'C'],
-    ...SIZES,
-    measure: ({ problem, size }, on, where) =>
-      where.length === 2 ? measureLimits(problemOf(problem, size), on) : [],
-    tables: {
-      'The global step in the browser beside what this machine can do at best. A solve reads the factor twice, which moves as many bytes as a copy of it; and it multiplies and adds each of its numbers twice for three coordinates, four at a time in registers. The step also has the gradient and what the accelerator combines. Milliseconds:': `
-        problem | vertices | MB to move = limit.MB | to move them = limit.moved |
-        to compute = limit.computed | at 1e9 operations a second = limit.perSecond |
-        global step = limit.global | times the larger = limit.times`,
-    },
+    texts: limitTexts,
   },
 
   maps: {
@@ -56,6 +59,7 @@ export const parts = {
     sizes: [2500, 10_000],
     // The paper's largest map has 35,000 vertices.
     more: [35_000, 100_000],
+    repeats: 'cold',
     tables: {
       'The first conformal map of a visit (problem D), milliseconds:':
         'vertices | natively = native.cold | in the browser = browser.cold',
@@ -77,7 +81,8 @@ export const parts = {
     // The energy of A is zero in the end: nothing holds the boundary, so that smoothness contracts
     // the mesh on its surface without end.
     problems: ['B', 'C'],
-    ...SIZES,
+    // Larger ones do not converge in a reasonable time.
+    sizes: SIZES,
     places: ['browser'],
     tables: {
       'Seconds (iterations) from the moved handle until the energy is within 1e-4 of the converged one:': `
@@ -91,14 +96,15 @@ export const parts = {
     measure: measureStart,
     tables: {
       'The page with its first model, drawn without a graphics card, in milliseconds. The kB are those until a second and a half later: with what the page keeps for use without a network.': `
-        visit | first paint = median.painted | model there, solved = median.solved |
-        first frame drawn = median.drawn | kB = median.kB`,
+        visit | first paint = seen.painted | model there, solved = seen.solved |
+        first frame drawn = seen.drawn | kB = seen.kB`,
     },
   },
 
   exact: {
     problems: ['circles near a net', 'planes near a net', 'rough circles', 'rough planes'],
     sizes: [2500, 10_000, 30_000],
+    repeats: 'seconds',
     tables: {
       'From the soft solution until all panels are exact; the memory is that of the module:': `
         mesh = surface | panels = kind | vertices | seconds, natively = native.seconds |
@@ -115,56 +121,85 @@ export const parts = {
         surface | triangles | by = library | panels = quads.made | irregular = quads.irregular |
         degrees off the lines of curvature = quads.degrees | mean move = quads.mean |
         largest = quads.max | folded = quads.folded | verdict = quads.level |
-        s, natively = seconds.native | s, in the browser = seconds.browser`,
+        s, natively = seconds.native | theirs / ours = ratio |
+        s, in the browser = seconds.browser`,
     },
   },
 
   peers: {
     cases: ({ sizes, where }) =>
-      peers
-        .filter((peer) => where.includes(placeOf(peer)))
-        .flatMap((peer) =>
-          peer.problems.map((problem) => ({ problem, size: sizes?.[0] ?? peer.vertices, peer })),
-        ),
-    async measure({ peer, problem: name, size }, on) {
+      (where.includes('native') ? peers : []).flatMap((peer) =>
+        peer.problems.map((problem) => ({ problem, size: sizes?.[0] ?? peer.vertices, peer })),
+      ),
+    async measure({ peer, problem: name, size }, on, where) {
       const problem = problemOf(name, size);
-      const distance = (theirs) => on('native', 'distance', theirs);
-      const theirs = await measurePeer(peer, problem, distance);
-      const { what, equal } = peer;
-      const measure = problem.map ? 'maps' : what ? 'iterations' : 'exact';
-      const ours = await on(placeOf(peer), measure, problem);
-      return { what, equal, ...rowOf(problem), ...theirs, ours: ours.none ?? ours };
+      const theirs = await measurePeer(peer, problem, (mesh) => on('native', 'distance', mesh));
+      const row = { what: peer.what, equal: peer.equal, ...rowOf(problem), ...theirs };
+      const ratio = (ours) => theirs.its?.median / ours.median;
+      if (!peer.what) {
+        const exact = await repeated('seconds', () => on('native', 'exact', problem));
+        return { ...row, exact, ratio: ratio(exact.seconds) };
+      }
+      const ours = {};
+      for (const place of where) ours[place] = await oursIn(place, problem, on);
+      return { ...row, ours, ratio: ratio(ours.native) };
     },
     tables: {
       'Other libraries, natively, and what of their problem is equal to ours, in milliseconds:': `
-        library | what | equal | vertices | it = its | ours in the browser = ours.total`,
+        library | what | equal | vertices | theirs = its | ours, natively = ours.native |
+        theirs / ours = ratio | ours in the browser = ours.browser`,
       'Panels made exact, all natively; distances are relative to the size of the mesh:': `
         mesh = surface | panels = kind | library | its way = way |
-        its distance = itsDistance | its s = its | our distance = ours.distance |
-        our s = ours.seconds`,
+        its distance = itsDistance | its s = its | our distance = exact.distance |
+        our s = exact.seconds | theirs / ours, s = ratio`,
     },
   },
 };
 
+/** The time of ours beside a peer: of the plain iteration, or of a map, in the browser not the first. */
+async function oursIn(place, problem, on) {
+  if (!problem.map) return (await on(place, 'iterations', problem)).none.total;
+  if (place === 'browser') return (await on(place, 'maps', problem)).total;
+  return (await repeated('cold', () => on(place, 'maps', problem))).cold;
+}
+
+/** The formulas of the limits, what the machine can do, and why iterations take longer. */
+function limitTexts(rows) {
+  const machines = rows.filter(({ limit }) => limit).map(({ limit }) => limit.machine);
+  if (!machines.length) return [];
+  const best = (of) => number(Math.max(...machines.map((machine) => machine[of])) / 1e6);
+  const can = `At best this machine adds or multiplies ${best('double')} billion numbers a second in double and ${best('single')} in single precision, and divides ${best('divisions')}; bytes are read and written at ${best('bytes')} GB a second if they fit its caches.`;
+  return [can, formulas(), ...reasons(rows)];
+}
+
 /** Returns [title, columns] of the tables of a part. */
 export const tablesOf = (name) => Object.entries(parts[name].tables);
+
+/** Returns the paragraphs that follow the tables of a part with these rows. */
+export const textsOf = (name, rows) => parts[name].texts?.(rows) ?? [];
 
 /** Returns the cases of a part for some options. */
 export function casesOf(name, options) {
   const { cases, problems, sizes, more = [] } = parts[name];
   if (cases) return cases(options);
   const all = options.sizes ?? (options.full ? [...sizes, ...more] : sizes);
+  const ascending = all.toSorted((a, b) => a - b);
   const named = problems.filter((one) => !letters.includes(one) || options.problems.includes(one));
-  return all.flatMap((size) => named.map((problem) => ({ problem, size })));
+  return ascending.flatMap((size) => named.map((problem) => ({ problem, size })));
+}
+
+/** Measures a case of a part in its places; returns a row. */
+async function measuredIn(name, { problem: letter, size }, where, on) {
+  const { repeats, places = ['native', 'browser'] } = parts[name];
+  const problem = problemOf(letter, size);
+  const row = rowOf(problem);
+  for (const place of places.filter((each) => where.includes(each))) {
+    const once = () => on(place, name, problem);
+    row[place] = repeats ? await repeated(repeats, once) : await once();
+  }
+  return row;
 }
 
 /** Measures a case; returns a row or several. `on` performs a measurement in a place. */
-export async function measured(name, one, where, on) {
-  const { measure, places = ['native', 'browser'] } = parts[name];
-  if (measure) return measure(one, on, where);
-  const problem = problemOf(one.problem, one.size);
-  const row = rowOf(problem);
-  for (const place of places.filter((each) => where.includes(each)))
-    row[place] = await on(place, name, problem);
-  return row;
-}
+export const measured = (name, one, where, on) =>
+  parts[name].measure?.(one, on, where) ?? measuredIn(name, one, where, on);

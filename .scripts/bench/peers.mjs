@@ -6,7 +6,7 @@ import { existsSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { at } from '../project.mjs';
 import { benchFolder, objText } from './problems.mjs';
-import { median } from './statistics.mjs';
+import { spread } from './statistics.mjs';
 
 /**
  * Every peer with the problems that it gets, the number of vertices (those that it can do in a
@@ -51,6 +51,14 @@ export const peers = [
     equal: 'the mesh, the energy',
   },
   {
+    library: 'pymeshlab',
+    problems: ['lscm'],
+    vertices: 10_000,
+    call: 'pymeshlab_lscm',
+    what: 'least-squares conformal map, the whole filter',
+    equal: 'the mesh, the energy',
+  },
+  {
     library: 'compas_shapeop',
     problems: ['circles near a net', 'planes near a net', 'rough circles', 'rough planes'],
     vertices: 2500,
@@ -88,12 +96,12 @@ function performed(library, call, task) {
   return JSON.parse(readFileSync(resultFile, 'utf8'));
 }
 
-/** Covers triangles with about as many quads by another library, into a file; returns { ms, version }. */
+/** Covers triangles with about as many quads by another library, into a file; returns the seconds and its version. */
 export function quadsOf(library, task, path) {
-  const { failed, version, ms, points, faces } = performed(library, library, task);
+  const { failed, version, steps, points, faces } = performed(library, library, task);
   if (failed) return { failed };
   writeFileSync(path, objText(points, faces));
-  return { ms, version: `${library} ${version}` };
+  return { seconds: spread(steps.map((ms) => ms / 1e3)), version: `${library} ${version}` };
 }
 
 /**
@@ -106,13 +114,13 @@ export async function measurePeer({ library, call }, problem, distance) {
   const { failed, version, steps, ways } = performed(library, call, task);
   if (failed) return { library, its: failed };
   const named = { library: `${library} ${version}` };
-  if (steps) return { ...named, its: median(steps) };
+  if (steps) return { ...named, its: spread(steps) };
   const meshFile = join(benchFolder, 'peer.obj');
   const found = [];
   for (const { way, ms, shape } of ways) {
     writeFileSync(meshFile, objText(shape, faces));
     const itsDistance = await distance({ ...problem, meshFile });
-    found.push({ ...named, way, its: ms / 1e3, itsDistance });
+    found.push({ ...named, way, its: spread([ms / 1e3]), itsDistance });
   }
   found.sort((a, b) => a.itsDistance - b.itsDistance);
   return found[0] ?? { ...named, way: 'the mesh collapses in every way' };

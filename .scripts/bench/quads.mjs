@@ -6,6 +6,7 @@ import { join } from 'node:path';
 import { hillTriangles, vaultTriangles } from '../surfaces.mjs';
 import { quadsOf } from './peers.mjs';
 import { benchFolder, objText } from './problems.mjs';
+import { repeated } from './statistics.mjs';
 
 const surfaces = { vault: vaultTriangles, hills: hillTriangles };
 /** What makes the quads: ours with each choice at the boundary, and other libraries. */
@@ -19,11 +20,9 @@ const PANELS = [500, 2000];
 
 const [from, to] = ['triangles', 'quads'].map((name) => join(benchFolder, `${name}.obj`));
 
-/** The cases: each surface with each number of panels, in each way. */
+/** The cases: each surface with each number of panels. */
 export const quadCases = ({ sizes = PANELS }) =>
-  Object.keys(surfaces).flatMap((surface) =>
-    sizes.flatMap((panels) => WAYS.map((way) => ({ surface, panels, ...way }))),
-  );
+  Object.keys(surfaces).flatMap((surface) => sizes.map((panels) => ({ surface, panels })));
 
 /** The points and faces of an OBJ file, by the first letter of their lines. */
 const rowsIn = (path, letter) =>
@@ -56,25 +55,34 @@ function edgesIn(path) {
   return { edge: sum / sides.size, irregular: irregular.length };
 }
 
-/** Measures a case; moves are in mean edges of the panels. */
-export async function measureQuads({ surface, panels, library, boundary }, on, where) {
-  mkdirSync(benchFolder, { recursive: true });
-  const { points, faces } = surfaces[surface]();
+/** Measures one way to make panels; moves are in mean edges of the panels. */
+async function measuredWay({ library, boundary }, { points, faces }, panels, on, where) {
   const mesh = objText(points, faces);
   const row = { library, triangles: faces.length, seconds: {} };
   if (boundary) {
     writeFileSync(from, mesh);
+    const task = { mesh, from, to, panels, boundary };
     for (const place of where)
-      row.seconds[place] = (
-        await on(place, 'remesh', { mesh, from, to, panels, boundary })
-      ).seconds;
+      row.seconds[place] = (await repeated('seconds', () => on(place, 'remesh', task))).seconds;
   } else {
-    const { failed, version, ms } = quadsOf(library, { points, faces, panels }, to);
+    const { failed, version, seconds } = quadsOf(library, { points, faces, panels }, to);
     if (failed) return { ...row, quads: { level: failed } };
     row.library = version;
-    row.seconds.native = ms / 1e3;
+    row.seconds.native = seconds;
   }
   const { moved, ...quads } = await on('native', 'circular', { meshFile: to });
   const { edge, irregular } = edgesIn(to);
   return { ...row, quads: { ...quads, irregular, mean: moved.mean / edge, max: moved.max / edge } };
+}
+
+/** Measures a case in all ways; others beside the first of ours. */
+export async function measureQuads({ surface, panels }, on, where) {
+  mkdirSync(benchFolder, { recursive: true });
+  const rows = [];
+  for (const way of WAYS) {
+    const row = await measuredWay(way, surfaces[surface](), panels, on, where);
+    const ratio = row.seconds.native?.median / rows[0]?.seconds.native.median;
+    rows.push(way.boundary ? row : { ...row, ratio });
+  }
+  return rows;
 }

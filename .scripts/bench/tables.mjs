@@ -16,14 +16,23 @@ export function number(value) {
   return Math.abs(value) < 1e-3 ? value.toExponential(0) : rounded.format(value);
 }
 
-/** Formats a text, a number, or seconds with the iterations in them; null if they are not enough. */
+/** Formats a spread: its ends, unless they are as the median, or that there was one run only. */
+function spreadText({ median, low, high, runs }, also = []) {
+  const texts = [median, low, high].map(number);
+  const ends = texts.every((text) => text === texts[0]) ? [] : [`${texts[1]}–${texts[2]}`];
+  const inside = [...(runs === 1 ? ['once'] : ends), ...also].join('; ');
+  return inside ? `${texts[0]} (${inside})` : texts[0];
+}
+
+/** Formats a text, a number, a spread, or seconds with the iterations in them; null if they are not enough. */
 function cell(value) {
   if (typeof value === 'string') return value;
-  if (typeof value !== 'object') return number(value);
+  if (typeof value !== 'object' || value === null) return number(value);
+  if (!('seconds' in value)) return spreadText(value);
   const { seconds, iterations } = value;
   return iterations === null
-    ? `> ${number(seconds)}`
-    : `${number(seconds)} (${number(iterations)})`;
+    ? `> ${number(seconds.median)}`
+    : spreadText(seconds, [`${number(iterations)} iterations`]);
 }
 
 /** Returns the value of a row at a path such as `browser.none.total`. */

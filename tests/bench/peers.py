@@ -20,6 +20,12 @@ def timed(call):
     return value, 1e3 * (time.perf_counter() - start)
 
 
+def repeated(call):
+    """Result of the call, and the milliseconds of three after a first one."""
+    runs = [timed(call) for _ in range(4)]
+    return runs[0][0], [ms for _, ms in runs[1:]]
+
+
 def differences(run, steps):
     """Milliseconds of one iteration, as the difference of runs of two lengths, three times."""
     run(1)
@@ -84,8 +90,17 @@ def libigl_lscm(points, faces, task):
     ends = numpy.array([0, len(points) - 1])
     width = float(numpy.linalg.norm(points[ends[1]] - points[ends[0]]))
     at = numpy.array([[0.0, 0.0], [width, 0.0]])
-    runs = [timed(lambda: igl.lscm(points, faces, ends, at))[1] for _ in range(3)]
-    return {"steps": runs[1:]}
+    return {"steps": repeated(lambda: igl.lscm(points, faces, ends, at))[1]}
+
+
+def pymeshlab_lscm(points, faces, task):
+    """Least-squares conformal map with two fixed vertices: whole filters."""
+    import pymeshlab
+
+    meshes = pymeshlab.MeshSet()
+    meshes.add_mesh(pymeshlab.Mesh(points, faces))
+    name = "compute_texcoord_parametrization_least_squares_conformal_maps"
+    return {"steps": repeated(lambda: meshes.apply_filter(name))[1]}
 
 
 # Weights of the circles or planes, used in sequence, each starting at the previous shape, and the
@@ -137,8 +152,9 @@ def pynanoinstantmeshes(points, faces, task):
 
     given = points.astype(numpy.float32), faces.astype(numpy.uint32)
     count = task["panels"] // 4
-    (points, faces), ms = timed(lambda: remesh(*given, count, align_to_boundaries=True, deterministic=True))
-    return {"ms": ms, "points": points.tolist(), "faces": faces.tolist()}
+    made, steps = repeated(lambda: remesh(*given, count, align_to_boundaries=True, deterministic=True))
+    points, faces = made
+    return {"steps": steps, "points": points.tolist(), "faces": faces.tolist()}
 
 
 def pyQuadriFlow(points, faces, task):
@@ -146,8 +162,8 @@ def pyQuadriFlow(points, faces, task):
     from pyQuadriFlow.pyQuadriFlow import pyquadriflow
 
     given = points.tolist(), faces.tolist()
-    made, ms = timed(lambda: pyquadriflow(task["panels"], 0, *given, False, True, False, False, False))
-    return {"ms": ms, "points": made["vertices"], "faces": made["faces"]}
+    made, steps = repeated(lambda: pyquadriflow(task["panels"], 0, *given, False, True, False, False, False))
+    return {"steps": steps, "points": made["vertices"], "faces": made["faces"]}
 
 
 if __name__ == "__main__":

@@ -64,6 +64,36 @@ fn a_scene_is_solved_again_when_its_mesh_is_saved() {
 }
 
 #[test]
+fn each_mesh_that_is_saved_in_a_folder_comes_back_solved() {
+    let folder = Folder::new("watch-folder");
+    std::fs::create_dir(folder.0.join("models")).unwrap();
+    folder.write("models/roof.obj", ROOF).write("models/notes.txt", "not a mesh");
+    let press = ["models", "--panels", "circle", "--within", "auto", "--out", "solved"];
+    let _watching = Watching::begin(&folder, &press);
+    let first = wait_for(&folder, "solved/roof.obj", |text| text.contains("\nf "));
+    assert_ne!(first, ROOF);
+    // Another one is wrong, which is said, then right.
+    folder.write("models/eave.obj", "f 1 2 3\n");
+    wait_for(&folder, "wrong", |text| text.contains("eave.obj: the file has no vertices"));
+    folder.write("models/eave.obj", ROOF.replace("v 2 2 -0.3", "v 2 2 0.4"));
+    let eave = wait_for(&folder, "solved/eave.obj", |text| text.contains("\nf "));
+    assert_ne!(eave, first);
+    assert_eq!(folder.read("solved/roof.obj"), first);
+    let solved: Vec<_> = std::fs::read_dir(folder.0.join("solved")).unwrap().collect();
+    assert_eq!(solved.len(), 2);
+}
+
+#[test]
+fn a_folder_is_solved_into_another_one() {
+    let folder = Folder::new("watch-folders");
+    folder.write("roof.obj", ROOF);
+    folder.run(&["watch", ".", "--out", "."]).misused("another folder");
+    let reported = ["watch", ".", "--out", "solved", "--report", "r.json"];
+    folder.run(&reported).misused("no --report");
+    folder.run(&["watch", ".", "--out", "roof.obj"]).refused(&["roof.obj", "expected a folder"]);
+}
+
+#[test]
 fn what_is_wrong_at_first_is_said_and_waited_for() {
     let folder = Folder::new("watch-first");
     folder.write("roof.obj", "f 1 2 3\n");

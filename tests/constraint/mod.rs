@@ -2,6 +2,7 @@
 
 mod cases;
 mod conformance;
+mod operations;
 mod radius;
 mod rectangle;
 mod relative;

@@ -59,7 +59,7 @@ pub(super) enum Required {
 }
 
 /// `shape-up solve`.
-#[derive(Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub(super) struct Solve {
     /// A scene or a mesh.
     pub(super) input: PathBuf,

@@ -7,7 +7,7 @@
 //! | `usage` | the usage text |
 //! | `input` | reading of mesh and scene files |
 //! | `output` | atomic writing of files, mesh files of sessions, output folders, and standard output |
-//! | `watch` | `solve` again whenever the file is saved |
+//! | `watch` | `solve` again whenever the file, or one in the folder, is saved |
 //! | `solve`, `build`, `check`, `edit`, `refine`, `remesh` | the commands of these names |
 //! | `parametrize`, `examples`, `experiment` | the commands of these names |
 //! | `new_mesh` | the command `new` |

@@ -20,7 +20,7 @@ usage: shape-up solve SCENE|MESH [--panels KIND] [--exact | --within LENGTH|auto
                 [--improve] [--boundary exact|WEIGHT] [--iterations N] [--tolerance T]
                 [--accelerator {}]
                 [--out FILE{meshes}] [--report FILE.json] [--trace]
-       shape-up watch SCENE|MESH --out FILE [options of solve]
+       shape-up watch SCENE|MESH|FOLDER --out FILE|FOLDER [options of solve]
        shape-up build SCENE|MESH [--SETTING VALUE ...] [--sheet WxH|a3]
                 [--machine {}] [--units {}]
                 [--out DIR] [--report FILE.json] [--report-page FILE.html [--link URL]]
@@ -62,7 +62,8 @@ A MESH is solved with settings that preserve its shape, a scene with its own.
 --out writes the format that the name ends in, OBJ without an ending; only Medit can store tetrahedra.
 --trace records the energies of every iteration, in the report and on standard output.
 watch solves again whenever the file is saved, until it is stopped: the program that reads --out then has
-the shape of what it saved.
+the shape of what it saved. Of a FOLDER each mesh that is saved there is solved, into a file of its name
+in another folder.
 build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
 of where each part goes (key-*.svg, key.pdf), tables (CSV), a presentation ({}), and the panels by

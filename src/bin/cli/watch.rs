@@ -1,10 +1,13 @@
-//! `shape-up watch`: solves a file again whenever another program saves it.
+//! `shape-up watch`: solves a file, or each mesh of a folder, again whenever another program saves it.
 
 use super::arguments::Solve;
 use super::{Failure, input, one_line, solve};
+use shape_up::mesh::FileFormat;
 use shape_up::scene::Scene;
 use shape_up::session::named_files;
+use std::collections::BTreeMap;
 use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 use std::thread;
 use std::time::{Duration, SystemTime};
@@ -18,25 +21,100 @@ type Stamp = Option<(SystemTime, u64)>;
 
 /// Solves until the program is stopped. What is wrong with the input is said, and waited for.
 pub(super) fn watch(command: &Solve) -> Result<(), Failure> {
-    let mut inputs = Inputs::of(&command.input);
+    if command.input.is_dir() {
+        return watch_folder(command);
+    }
+    let mut file = Watched::new(command.clone());
     // Before it is solved: it may be saved meanwhile.
-    let mut solved = inputs.stamps();
-    let mut last = solved.clone();
-    if solved[0].is_none() {
+    file.solved = file.inputs.stamps();
+    file.last.clone_from(&file.solved);
+    if file.solved[0].is_none() {
         // Its name may be wrong.
         return solve::solve(command);
     }
     solve_or_say(command)?;
     loop {
         thread::sleep(EVERY);
-        let now = inputs.stamps();
+        file.look()?;
+    }
+}
+
+/// Solves each mesh of a folder, and those that are saved there later, into a file of its name in another
+/// folder.
+fn watch_folder(command: &Solve) -> Result<(), Failure> {
+    let folder = &command.input;
+    let refused = |words: &str| Failure::Usage(format!("watch of a folder {words}"));
+    let out = command.out.as_ref().ok_or_else(|| refused("needs --out, another folder"))?;
+    if command.report.is_some() {
+        return Err(refused("takes no --report, which is of one file"));
+    }
+    let at = |path: &Path, error: &io::Error| {
+        Failure::Input(format!("{}: {error}, expected a folder", path.display()))
+    };
+    fs::create_dir_all(out).map_err(|error| at(out, &error))?;
+    let place = |path: &Path| path.canonicalize().map_err(|error| at(path, &error));
+    if place(folder)? == place(out)? {
+        return Err(refused("needs --out, another folder: it would replace what is read"));
+    }
+    let mut files: BTreeMap<String, Watched> = BTreeMap::new();
+    loop {
+        for name in meshes_in(folder).map_err(|error| at(folder, &error))? {
+            let input = folder.join(&name);
+            let out = out.join(written_as(&name));
+            let own = || Watched::new(Solve { input, out: Some(out), ..command.clone() });
+            files.entry(name).or_insert_with(own);
+        }
+        files.values_mut().try_for_each(Watched::look)?;
+        thread::sleep(EVERY);
+    }
+}
+
+/// The names of the mesh files in a folder, but for hidden ones.
+fn meshes_in(folder: &Path) -> io::Result<Vec<String>> {
+    let is_mesh = |name: &String| {
+        !name.starts_with('.') && FileFormat::of_name(name).is_some_and(FileFormat::is_mesh)
+    };
+    let names: io::Result<Vec<String>> = fs::read_dir(folder)?
+        .map(|entry| entry.map(|entry| entry.file_name().to_string_lossy().into_owned()))
+        .collect();
+    Ok(names?.into_iter().filter(is_mesh).collect())
+}
+
+/// The name of the solved mesh: the same, or that of an OBJ file if its format is not written.
+fn written_as(name: &str) -> String {
+    match FileFormat::of_name(name) {
+        Some(format) if format.writes.is_empty() => format!("{name}.obj"),
+        _ => name.to_owned(),
+    }
+}
+
+/// A file that is solved whenever it was saved.
+struct Watched {
+    command: Solve,
+    inputs: Inputs,
+    /// When it was solved last; empty before.
+    solved: Vec<Stamp>,
+    /// When it was looked at last; empty before.
+    last: Vec<Stamp>,
+}
+
+impl Watched {
+    fn new(command: Solve) -> Watched {
+        let inputs = Inputs::of(&command.input);
+        Watched { command, inputs, solved: Vec::new(), last: Vec::new() }
+    }
+
+    /// Solves it if it was saved since it was solved.
+    fn look(&mut self) -> Result<(), Failure> {
+        let now = self.inputs.stamps();
         // A file that is still written changes from one look to the next, and some programs remove it
         // first. One that a scene names may be missing: then that is said.
-        if now == last && now != solved && now[0].is_some() {
-            solved.clone_from(&now);
-            solve_or_say(command)?;
+        if now == self.last && now != self.solved && now[0].is_some() {
+            self.solved.clone_from(&now);
+            solve_or_say(&self.command)?;
         }
-        last = now;
+        self.last = now;
+        Ok(())
     }
 }
 
