@@ -13,7 +13,6 @@ mod view;
 use super::build::{Build, CutPanel};
 use super::file::Drawing;
 use super::sheet::CutPart;
-use super::surface::{beam_name, node_name};
 use super::view_axes::{ViewAxes, compass, from_above, from_camera};
 use crate::math::Vec3;
 use crate::math::plane::{Point2, rotated};
@@ -110,8 +109,8 @@ impl Build {
         if self.settings.product == Product::Fins {
             let ends = |e: &u32| surface.edges[*e as usize].ends;
             let nodes = super::surface::distinct(self.fins.iter().flat_map(ends)).into_iter();
-            let nodes = nodes.map(|v| Mark { name: node_name(v), element: Element::Vertex(v) });
-            let beams = self.fins.iter().map(|e| (beam_name(ends(e)), Element::Edge(*e)));
+            let nodes = nodes.map(|v| Mark { name: self.node_name(v), element: Element::Vertex(v) });
+            let beams = self.fins.iter().map(|e| (self.beam_name(ends(e)), Element::Edge(*e)));
             let beams = beams.map(|(name, element)| Mark { name, element });
             return beams.chain(nodes).collect();
         }
