@@ -6,7 +6,7 @@ use super::fault::Fault;
 use super::file::{Drawing, places};
 use super::offset::{Axes, OffsetCheck, axes_of, check};
 use super::panel::{
-    FlatPanel, Halves, Stand, assembly_of_nodes, assembly_rows, bent_panels, lay_flat, panel_names,
+    FlatPanel, Stand, assembly_of_nodes, assembly_rows, bent_panels, halved, lay_flat, panel_names,
 };
 use super::paper::{LEAST_TAB, PaperModel};
 use super::sheet::{CutPart, Layout, in_capitals};
@@ -164,44 +164,6 @@ pub struct Build {
 /// Lays each panel flat in its plane.
 pub(super) fn all_flat(surface: &PanelSurface) -> Vec<Option<FlatPanel>> {
     (0..surface.faces.len() as u32).map(|f| lay_flat(surface, f)).collect()
-}
-
-/// The surface and the names of its panels, some of which are two triangles, as which they stand in the
-/// order of assembly, too.
-///
-/// # Errors
-/// As of [`PanelSurface::new`].
-fn halved(
-    mesh: &Mesh,
-    whole: &PanelSurface,
-    (mut names, rows): (Vec<String>, &mut [Vec<u32>]),
-    bent: &[Halves],
-) -> Result<(PanelSurface, Vec<String>), Fault> {
-    let count = mesh.faces.len();
-    let mut faces: Vec<&[u32]> = whole.faces.iter().take(count).collect();
-    let mut second: Vec<Option<u32>> = vec![None; names.len()];
-    for (Halves { panel, corners: [first, other] }, number) in bent.iter().zip(count as u32..) {
-        faces[*panel as usize] = first;
-        faces.push(other);
-        second[*panel as usize] = Some(number);
-    }
-    let halves = bent.iter().map(|own| format!("{}.2", names[own.panel as usize]));
-    let halves: Vec<String> = halves.collect();
-    bent.iter().for_each(|own| names[own.panel as usize].push_str(".1"));
-    names.splice(count..count, halves);
-    let with_second = |f: u32| {
-        // Panels with holes come after all halves.
-        let is_face = (f as usize) < count;
-        let first = if is_face { f } else { f + bent.len() as u32 };
-        std::iter::once(first).chain(second[f as usize])
-    };
-    for row in rows {
-        *row = row.iter().copied().flat_map(with_second).collect();
-    }
-    let faces = faces.into_iter().collect();
-    let mut surface = PanelSurface::new(&Mesh { faces, ..mesh.clone() })?;
-    surface.turned = whole.turned;
-    Ok((surface, names))
 }
 
 /// The unit with this symbol; metres for an empty one, of a file that has no unit. An unknown
