@@ -6,14 +6,14 @@ use super::fault::Fault;
 use super::file::{Drawing, places};
 use super::offset::{Axes, OffsetCheck, axes_of, check};
 use super::panel::{
-    FlatPanel, Halves, Stand, assembly_rows, bent_panels, lay_flat, panel_names, panel_types,
+    FlatPanel, Stand, assembly_of_nodes, assembly_rows, bent_panels, halved, lay_flat, panel_names,
 };
 use super::paper::{LEAST_TAB, PaperModel};
 use super::sheet::{CutPart, Layout, in_capitals};
 use super::surface::PanelSurface;
 use crate::math::plane::Point2;
 use crate::mesh::Mesh;
-use crate::scene::{BuildSettings, Fold, OffsetKind, Page, Product, Tiling};
+use crate::scene::{BuildSettings, Fold, Names, OffsetKind, Page, Product, Tiling};
 use crate::words::{LengthUnit, UNITS};
 use serde::Serialize;
 use std::ops::Range;
@@ -126,8 +126,11 @@ pub struct Build {
     /// The panels that are cut as two triangles. The first triangle is in the place of the panel; the others
     /// follow the faces, in this order.
     pub halves: Vec<u32>,
-    /// The number of each panel in the order of assembly, from 1.
-    pub order: Vec<u32>,
+    /// The rows of panels in the order of assembly.
+    pub rows: Vec<Vec<u32>>,
+    /// The number of each node in its name, by its vertex: that of the vertex, or if fins are named in the
+    /// order of assembly, its own place in it, from 1.
+    pub nodes: Vec<u32>,
     /// Each panel in its plane, in the unit of the mesh; none if it has no area.
     pub flat: Vec<Option<FlatPanel>>,
     /// Each panel as it is cut; none if it is not cut.
@@ -142,7 +145,7 @@ pub struct Build {
     pub left_out: LeftOut,
     /// Where the parts are on the sheets.
     pub layout: Layout,
-    /// Types of panels.
+    /// Types of panels, as they are cut.
     pub types: Types,
     /// The beams, if fins are made and the surface has an outside.
     pub frame: Option<Frame>,
@@ -161,42 +164,6 @@ pub struct Build {
 /// Lays each panel flat in its plane.
 pub(super) fn all_flat(surface: &PanelSurface) -> Vec<Option<FlatPanel>> {
     (0..surface.faces.len() as u32).map(|f| lay_flat(surface, f)).collect()
-}
-
-/// The surface and the names of its panels, some of which are two triangles, as which they stand in the
-/// order of assembly, too.
-///
-/// # Errors
-/// As of [`PanelSurface::new`].
-fn halved(
-    mesh: &Mesh,
-    whole: &PanelSurface,
-    (mut names, order): (Vec<String>, &mut Vec<u32>),
-    bent: &[Halves],
-) -> Result<(PanelSurface, Vec<String>), Fault> {
-    let count = mesh.faces.len();
-    let mut faces: Vec<&[u32]> = whole.faces.iter().take(count).collect();
-    let mut second: Vec<Option<u32>> = vec![None; names.len()];
-    for (Halves { panel, corners: [first, other] }, number) in bent.iter().zip(count as u32..) {
-        faces[*panel as usize] = first;
-        faces.push(other);
-        second[*panel as usize] = Some(number);
-    }
-    let halves = bent.iter().map(|own| format!("{}.2", names[own.panel as usize]));
-    let halves: Vec<String> = halves.collect();
-    bent.iter().for_each(|own| names[own.panel as usize].push_str(".1"));
-    names.splice(count..count, halves);
-    let with_second = |f: u32| {
-        // Panels with holes come after all halves.
-        let is_face = (f as usize) < count;
-        let first = if is_face { f } else { f + bent.len() as u32 };
-        std::iter::once(first).chain(second[f as usize])
-    };
-    *order = order.iter().copied().flat_map(with_second).collect();
-    let faces = faces.into_iter().collect();
-    let mut surface = PanelSurface::new(&Mesh { faces, ..mesh.clone() })?;
-    surface.turned = whole.turned;
-    Ok((surface, names))
 }
 
 /// The unit with this symbol; metres for an empty one, of a file that has no unit. An unknown
@@ -223,7 +190,7 @@ impl Build {
         (settings.check().and_then(|()| settings.check_edges(mesh)))
             .map_err(|(key, message)| Fault(format!("build.{key}: {message}")))?;
         let whole = PanelSurface::new(mesh)?;
-        let rows = assembly_rows(&whole, stand);
+        let mut rows = assembly_rows(&whole, stand);
         let (names, are_as_asked) = panel_names(&whole, settings.names, &rows);
         let to_building = 1000.0 * unit.metres;
         let bent = match settings.product {
@@ -233,23 +200,23 @@ impl Build {
             }
             _ => Vec::new(),
         };
-        let mut order: Vec<u32> = rows.into_iter().flatten().collect();
         let (surface, names) = match bent.is_empty() {
             true => (whole, names),
-            false => halved(mesh, &whole, (names, &mut order), &bent)?,
+            false => halved(mesh, &whole, (names, &mut rows), &bent)?,
         };
-        let numbers = order.into_iter().zip(1..);
-        let mut order = vec![0; names.len()];
-        numbers.for_each(|(f, number)| order[f as usize] = number);
         let flat = all_flat(&surface);
-        let types = panel_types(&flat, settings.alike / to_building, settings.mirror);
+        let nodes = match (settings.product, settings.names) {
+            (Product::Fins, Names::Assembly) => assembly_of_nodes(&surface, &rows, stand),
+            _ => (0..surface.positions.len() as u32).collect(),
+        };
         let mut build = Build {
             settings: settings.clone(),
             surface,
             names,
             faces: mesh.faces.len(),
             halves: bent.iter().map(|own| own.panel).collect(),
-            order,
+            rows,
+            nodes,
             flat,
             cut: Vec::new(),
             splices: Vec::new(),
@@ -257,7 +224,7 @@ impl Build {
             parts: Vec::new(),
             left_out: LeftOut::default(),
             layout: Layout::default(),
-            types,
+            types: Types::default(),
             frame: None,
             fins: Vec::new(),
             discs: Vec::new(),
@@ -266,6 +233,7 @@ impl Build {
             faults: Vec::new(),
             unit,
         };
+        build.types = build.panel_types(build.settings.alike);
         build.make_offset(build.settings.kind);
         if build.surface.untouched > 0 {
             build.faults.push(Fault::untouched(build.surface.untouched));
@@ -289,6 +257,25 @@ impl Build {
             None => Some(panel),
             Some(half) => self.halves.get(half).copied(),
         }
+    }
+
+    /// The number of each panel in the order of assembly, from 1.
+    pub fn order(&self) -> Vec<u32> {
+        let mut order = vec![0; self.names.len()];
+        let numbers = self.rows.iter().flatten().zip(1..);
+        numbers.for_each(|(&f, number)| order[f as usize] = number);
+        order
+    }
+
+    /// The name of the node at a vertex.
+    pub(super) fn node_name(&self, vertex: u32) -> String {
+        format!("N{}", self.nodes[vertex as usize])
+    }
+
+    /// The name of the beam along the edge between two vertices, from the first to the second.
+    pub(super) fn beam_name(&self, ends: [u32; 2]) -> String {
+        let [a, b] = ends.map(|v| self.nodes[v as usize]);
+        format!("B{a}-{b}")
     }
 
     /// The number of parts that are missing because they cannot be cut.

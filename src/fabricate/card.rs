@@ -111,6 +111,7 @@ impl Build {
 
     /// Why axes are not exact, as a clause.
     pub(super) fn in_words(&self, reason: Reason) -> String {
-        reason.words(&self.names, self.exact_tolerance() * self.mm_of_building())
+        let (node, beam) = (|v: u32| self.node_name(v), |ends: [u32; 2]| self.beam_name(ends));
+        reason.words(&self.names, node, beam, self.exact_tolerance() * self.mm_of_building())
     }
 }

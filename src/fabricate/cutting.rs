@@ -14,7 +14,6 @@ use super::report::JOINT_STEP;
 use super::sheet::{
     CutPart, Hole, Inscription, Labels, NamePlace, Place, SheetSize, Waste, label, lay_out, strokes,
 };
-use super::surface::{beam_name, node_name};
 use super::view_axes::upwards_in;
 use crate::math::plane::{Point2, area, bounds, is_inside, length, minus, rotated};
 use crate::math::{cosine, sine};
@@ -239,7 +238,7 @@ impl Build {
             if edge.is_bridge() {
                 continue;
             }
-            let name = beam_name(edge.ends);
+            let name = self.beam_name(edge.ends);
             let fin = fin.as_ref().map_err(|why| *why).and_then(|fin| {
                 let scaled: Vec<Point2> =
                     fin.cut.iter().map(|corner| corner.map(|x| x * model)).collect();
@@ -250,7 +249,7 @@ impl Build {
             });
             match fin {
                 Ok((fin, outline)) => {
-                    let [one, other] = fin.ends.map(|v| Some(node_name(v)));
+                    let [one, other] = fin.ends.map(|v| Some(self.node_name(v)));
                     let panels = edge.panels.into_iter().flatten().collect();
                     // The ends are the second and the last side.
                     let mut neighbours = vec![None; fin.cut.len()];

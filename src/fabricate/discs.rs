@@ -6,7 +6,6 @@ use super::build::{Build, CutDisc, NotCut};
 use super::fault::Fault;
 use super::panel::inset;
 use super::sheet::{CutPart, Hole, Labels, SlotName, circle, label_disc};
-use super::surface::node_name;
 use crate::math::plane::Point2;
 use crate::scene::BuildSettings;
 
@@ -51,7 +50,7 @@ impl Build {
         let half = 0.5 * self.settings.kerf;
         let mut around = self.surface.panels_around();
         for (disc, v) in frame.discs.iter().zip(0..) {
-            let name = node_name(v);
+            let name = self.node_name(v);
             let made = match disc {
                 None => continue,
                 Some(Ok(disc)) => cut(disc, model, half),
@@ -83,7 +82,7 @@ impl Build {
             let ends = self.surface.edges[slot.edge as usize].ends;
             let other = if ends[0] == disc.vertex { ends[1] } else { ends[0] };
             let corners = slot.corners.map(|corner| corner.map(|x| x * model));
-            SlotName { corners, name: node_name(other) }
+            SlotName { corners, name: self.node_name(other) }
         };
         let slots: Vec<SlotName> = disc.slots.iter().map(of_slot).collect();
         label_disc((&part.outline, &part.holes), &part.name, &slots, turn)

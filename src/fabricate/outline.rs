@@ -1,10 +1,13 @@
 //! The outlines of a panel and of its holes as they are cut: each side moved by half the joint, or at the
-//! boundary of the model by its setback, and by half the kerf the other way.
+//! boundary of the model by its setback, and by half the kerf the other way; and which panels are cut alike.
 
+use super::alike::Types;
 use super::build::Build;
-use super::panel::{alike_in_line, are_apart, check_size, inset, inset_sides, is_simple};
+use super::panel::{
+    alike_in_line, are_apart, check_size, inset, inset_sides, is_simple, panel_types,
+};
 use crate::math::plane::{Point2, is_inside};
-use crate::scene::BuildSettings;
+use crate::scene::{BuildSettings, Product};
 
 /// Why a panel is not cut whose holes, with the joint, reach each other or its outline.
 const TOO_LITTLE: &str = "the joint leaves too little of it beside a hole";
@@ -88,11 +91,11 @@ impl Build {
         if !are_holes(&unmoved) {
             return Err("laid flat a hole in it is not within its outline");
         }
-        let inwards = |k: usize| self.setback(f, k, settings) * model - 0.5 * settings.kerf;
+        let setbacks = self.setbacks(f, settings);
         let mut rings = Vec::new();
         for (number, PanelRing { corners, sides }) in unmoved.into_iter().enumerate() {
-            let by: Vec<f64> = sides.iter().map(|&k| inwards(k)).collect();
-            let by = alike_in_line(&corners, &by);
+            let by: Vec<f64> =
+                sides.iter().map(|&k| setbacks[k] * model - 0.5 * settings.kerf).collect();
             let moved = match number {
                 0 => {
                     let outline = inset_sides(&corners, &by);
@@ -111,6 +114,29 @@ impl Build {
             true => Ok(PanelOutline { whole, rings }),
             false => Err(TOO_LITTLE),
         }
+    }
+
+    /// How far each side of a panel is from its edge as it is cut, in the unit of the mesh; 0 for bridges.
+    pub(super) fn setbacks(&self, f: usize, settings: &BuildSettings) -> Vec<f64> {
+        let Some(flat) = &self.flat[f] else { return Vec::new() };
+        let mut found = vec![0.0; flat.corners.len()];
+        for ring in self.surface.rings(f as u32) {
+            let corners: Vec<Point2> = ring.iter().map(|&k| flat.corners[k]).collect();
+            let by: Vec<f64> = ring.iter().map(|&k| self.setback(f, k, settings)).collect();
+            ring.into_iter().zip(alike_in_line(&corners, &by)).for_each(|(k, by)| found[k] = by);
+        }
+        found
+    }
+
+    /// The types of the panels within a tolerance in mm of the building: as they are cut, if they are cut
+    /// singly.
+    pub(super) fn panel_types(&self, tolerance: f64) -> Types {
+        let setbacks = |f: usize| match self.settings.product {
+            Product::Panels => self.setbacks(f, &self.settings),
+            _ => vec![0.0; self.surface.faces.row(f).len()],
+        };
+        let tolerance = tolerance / self.mm_of_building();
+        panel_types(&self.flat, setbacks, tolerance, self.settings.mirror)
     }
 
     /// How far side `k` of a panel is from its edge, in the unit of the mesh: half the joint, or the setback

@@ -6,7 +6,6 @@ use super::build::Build;
 use super::discs::as_one_polygon;
 use super::panel::triangles;
 use super::space::Body;
-use super::surface::{beam_name, node_name};
 use crate::math::Vec3;
 use crate::math::plane::Point2;
 
@@ -60,7 +59,7 @@ impl Build {
                 let point = plane.in_space(corner);
                 [point - aside, point + aside]
             };
-            let name = beam_name(self.surface.edges[edge as usize].ends);
+            let name = self.beam_name(self.surface.edges[edge as usize].ends);
             Some(Body::plate(name, &fin.cut, put))
         });
         let discs = self.discs.iter().filter_map(|own| self.placed(frame, own.vertex, thickness));
@@ -74,6 +73,6 @@ impl Build {
         let heights = [disc.seat.min(other), disc.seat.max(other)];
         let put =
             |point: Point2| heights.map(|height| disc.in_space(&self.surface, node, point, height));
-        Some(Body::plate(node_name(vertex), &as_one_polygon(disc), put))
+        Some(Body::plate(self.node_name(vertex), &as_one_polygon(disc), put))
     }
 }

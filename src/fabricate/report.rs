@@ -6,7 +6,7 @@ use super::build::{Build, LeftOut};
 use super::card::BuildCard;
 use super::file::shared_length;
 use super::offset::Choice;
-use super::panel::{panel_types, perimeter, smallest_box};
+use super::panel::{perimeter, smallest_box};
 use super::paper::{FoldKind, Joint, JointKind, PaperModel};
 use super::sheet::{CutPart, Hole, NamePlace, Place, Sheet};
 use super::surface::{Edge, distinct};
@@ -191,9 +191,8 @@ impl Build {
     pub fn report(&self) -> BuildReport {
         let building = self.mm_of_building();
         let mut report = self.report_without_curves();
-        report.types_curve = curve(&ALIKE_MM, self.flat.len(), |tolerance| {
-            panel_types(&self.flat, tolerance / building, self.settings.mirror)
-        });
+        report.types_curve =
+            curve(&ALIKE_MM, self.flat.len(), |tolerance| self.panel_types(tolerance));
         report.edge_types_curve = curve(&ALIKE_MM, self.surface.edges.len(), |tolerance| {
             edge_types(&self.surface, tolerance / building)
         });

@@ -8,7 +8,7 @@ use crate::fabricate::build::Build;
 use crate::fabricate::file::{Drawing, GlbLayer, GlbPart, glb};
 use crate::fabricate::panel::triangles_in_space;
 use crate::fabricate::sheet::Role;
-use crate::fabricate::surface::{Edge, beam_name, distinct, node_name};
+use crate::fabricate::surface::{Edge, distinct};
 use crate::math::{Vec3, twice_vector_area};
 use crate::mesh::{Group, GroupKeyword, Mesh};
 use crate::scene::Product;
@@ -115,7 +115,7 @@ impl Build {
             parts.push(solid("Offset", violet, &above));
             for (v, ends) in self.nodes().into_iter().zip(below.points.iter().zip(&above.points)) {
                 if ends.0 != ends.1 {
-                    parts.push(line("Nodes", blue, &node_name(v), &[*ends.0, *ends.1]));
+                    parts.push(line("Nodes", blue, &self.node_name(v), &[*ends.0, *ends.1]));
                 }
             }
         }
@@ -165,7 +165,7 @@ impl Build {
         let prisms = self.frame.iter().flat_map(|frame| &frame.prisms);
         let all = self.surface.edges.iter().zip(prisms);
         let body = |(edge, prism): (&Edge, &Option<Prism>)| {
-            let (name, points) = (beam_name(edge.ends), prism.as_ref()?.corners.to_vec());
+            let (name, points) = (self.beam_name(edge.ends), prism.as_ref()?.corners.to_vec());
             Some(Body { name, points, faces: Prism::faces() })
         };
         all.filter_map(body).collect()
@@ -239,7 +239,7 @@ impl Build {
             if fins.is_empty() && discs.is_empty() {
                 let beam = |[i, j]: [u32; 2]| {
                     let corners = vec![below(i), below(j), above(j), above(i)];
-                    Body::polygon(beam_name([i, j]), corners)
+                    Body::polygon(self.beam_name([i, j]), corners)
                 };
                 let beams = self.surface.beams().map(|(edge, _)| beam(edge.ends));
                 layers.push(layer("beams", BROWN, beams.collect()));
@@ -257,7 +257,7 @@ impl Build {
             layers[0].points = middles.map(|(at, name)| point(name.clone(), at)).collect();
         }
         let nodes = self.nodes().into_iter();
-        let points = nodes.map(|v| point(node_name(v), self.surface.at(v))).collect();
+        let points = nodes.map(|v| point(self.node_name(v), self.surface.at(v))).collect();
         layers.push(GlbLayer { name: "nodes", points, ..GlbLayer::default() });
         glb(&layers, z_up)
     }

@@ -382,16 +382,6 @@ fn about_the_centre(positions: &[[f64; 3]], faces: &Ragged) -> (Vec<Vec3<f64>>, 
     (positions.iter().map(|&point| Vec3::from(point) - centre).collect(), centre)
 }
 
-/// The name of the node at a vertex.
-pub(super) fn node_name(vertex: u32) -> String {
-    format!("N{vertex}")
-}
-
-/// The name of the beam along the edge between two vertices.
-pub(super) fn beam_name([a, b]: [u32; 2]) -> String {
-    format!("B{a}-{b}")
-}
-
 fn count_parts(positions: &[Vec3<f64>], faces: &Ragged) -> usize {
     let labels = components(positions.len(), faces.iter());
     distinct(faces.iter().map(|face| labels[face[0] as usize])).len()

@@ -26,6 +26,7 @@ fn sheets_tables_and_a_report_are_written_whole() {
         "edges.csv",
         "key-1.svg",
         "key-2.svg",
+        "key-3.svg",
         "key.pdf",
         "model.glb",
         "nodes.csv",

@@ -128,7 +128,7 @@ fn a_closed_surface_begins_at_its_lowest_panel_and_a_strip_at_an_end() {
     // Those are names of nodes, of pieces of paper, and of types.
     let others = ["N1", "S1", "T1"].map(str::to_owned);
     assert!(others.iter().all(|other| !tower.names.contains(other)));
-    assert_eq!(tower.order, (1..=28).collect::<Vec<_>>());
+    assert_eq!(tower.order(), (1..=28).collect::<Vec<_>>());
 }
 
 #[test]
@@ -168,10 +168,60 @@ fn the_names_of_real_meshes_are_short_and_no_two_are_the_same() {
         let distinct: BTreeSet<&String> = made.names.iter().collect();
         assert_eq!(distinct.len(), made.names.len(), "{file}");
         assert!(made.names.iter().all(|name| (2..=5).contains(&name.len())), "{file}");
-        let mut order = made.order.clone();
+        let mut order = made.order();
         order.sort_unstable();
         assert!(order.iter().copied().eq(1..=made.names.len() as u32), "{file}");
     }
+}
+
+#[test]
+fn fins_and_discs_named_in_the_order_of_assembly_have_the_numbers_of_their_nodes_in_it() {
+    let of = |product, names| BuildSettings {
+        product,
+        names,
+        disc: None,
+        thickness: 3.0,
+        scale: 10.0,
+        sheet: [1200.0, 600.0],
+        ..BuildSettings::default()
+    };
+    let mesh = revolution(5, 4);
+    let made = build(&mesh, &of(Product::Fins, Names::Assembly));
+    let mut numbers = made.nodes.clone();
+    numbers.sort_unstable();
+    assert!(numbers.iter().copied().eq(1..=mesh.positions.len() as u32));
+    // The first panels have the first nodes, and each panel no node beyond those of the panels before it.
+    let number = |v: &u32| made.nodes[*v as usize];
+    let panels = made.rows.concat();
+    let mut seen = BTreeSet::new();
+    for &f in &panels {
+        seen.extend(mesh.faces.row(f as usize).iter().map(number));
+        assert!(seen.iter().copied().eq(1..=seen.len() as u32), "{seen:?}");
+    }
+    // A panel stands on the nodes with its lowest numbers.
+    let mut own = mesh.faces.row(panels[0] as usize).to_vec();
+    own.sort_by_key(number);
+    let heights: Vec<f64> = own.iter().map(|&v| mesh.positions[v as usize][2]).collect();
+    assert!(heights[..2].iter().all(|low| heights[2..].iter().all(|high| high - low > 0.1)));
+    for (&edge, part) in made.fins.iter().zip(&made.parts) {
+        let [a, b] = made.surface.edges[edge as usize].ends.map(|v| number(&v));
+        assert_eq!(part.name, format!("B{a}-{b}"));
+    }
+    for disc in &made.discs {
+        assert_eq!(made.parts[disc.part].name, format!("N{}", number(&disc.vertex)));
+    }
+    let names: BTreeSet<&str> = made.parts.iter().map(|part| &*part.name).collect();
+    assert_eq!(names.len(), made.parts.len());
+    // The key and the tables have no other names.
+    let nodes: BTreeSet<String> = numbers.iter().map(|number| format!("N{number}")).collect();
+    for table in ["nodes.csv", "discs.csv", "node-beams.csv"] {
+        let text = text_of(&made, table);
+        let names = text.lines().skip(1).map(|row| row.split(',').next().unwrap().to_owned());
+        assert!(names.collect::<BTreeSet<_>>().is_subset(&nodes), "{table}");
+    }
+    // Panels keep the numbers of vertices, which panels.obj has.
+    let panels = build(&mesh, &of(Product::Panels, Names::Assembly));
+    assert!(panels.nodes.iter().copied().eq(0..mesh.positions.len() as u32));
 }
 
 #[test]
@@ -197,7 +247,8 @@ fn fins_are_ordered_with_their_panels_and_discs_with_their_first_fin() {
     let mut sorted = fins.clone();
     sorted.sort();
     assert_eq!(sorted, (1..=made.fins.len()).collect::<Vec<_>>());
-    let with = |k: usize| made.parts[k].panels.iter().map(|&f| made.order[f as usize]).min();
+    let order = made.order();
+    let with = |k: usize| made.parts[k].panels.iter().map(|&f| order[f as usize]).min();
     for (a, b) in (0..fins.len()).flat_map(|a| (0..fins.len()).map(move |b| (a, b))) {
         assert!(with(a) >= with(b) || fins[a] < fins[b], "{a} {b}");
     }

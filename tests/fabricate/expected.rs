@@ -111,7 +111,9 @@ fn panels_laid_flat_and_their_types_agree() {
         }
         for own in list(&expected["classes"]) {
             let of_edge = number(&own["tolerance_over_mean_edge"]);
-            let types = panel_types(&flat, of_edge * surface.mean_edge(), own["mirror"] == true);
+            let setbacks = |f: usize| vec![0.0; surface.faces.row(f).len()];
+            let of_edge = of_edge * surface.mean_edge();
+            let types = panel_types(&flat, setbacks, of_edge, own["mirror"] == true);
             assert_eq!(types.leaders.len() as u64, own["count"].as_u64().unwrap(), "{name} {own}");
             let all: u32 = types.counts.iter().sum();
             assert_eq!(all as usize, mesh.faces.len());

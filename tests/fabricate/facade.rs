@@ -4,9 +4,9 @@
 use super::identities::revolution;
 use super::{build, dxf, text_of, without_nan};
 use crate::support::grid::grid;
-use shape_up::fabricate::Build;
 use shape_up::fabricate::file::Drawing;
 use shape_up::fabricate::sheet::Hole;
+use shape_up::fabricate::{Build, CutPanel};
 use shape_up::math::Vec3;
 use shape_up::math::plane::{Point2, area, distance, is_inside};
 use shape_up::mesh::{Mesh, Ragged};
@@ -270,6 +270,31 @@ fn a_setback_moves_the_sides_at_the_boundary_and_no_others() {
 }
 
 #[test]
+fn panels_of_one_type_are_cut_alike() {
+    let mesh = grid(4, 4, |i, j| [f64::from(i), f64::from(j), 0.0]);
+    // With half the joint at the boundary all are alike; else four corners, eight at one side, four inside.
+    for (setback, mirror, counts) in [
+        (None, false, vec![16]),
+        (Some(0.01), false, vec![16]),
+        (Some(0.1), false, vec![4, 8, 4]),
+        (Some(0.1), true, vec![4, 8, 4]),
+    ] {
+        let made = build(&mesh, &BuildSettings { setback, mirror, kerf: 0.0, ..settings() });
+        assert_eq!(made.types.counts, counts, "{setback:?}");
+        for (kind, cut) in made.types.of.iter().zip(&made.cut) {
+            let leader = made.types.leaders[kind.unwrap() as usize] as usize;
+            let size = |cut: &CutPanel| area(&made.parts[cut.part].outline);
+            let [own, first] = [cut, &made.cut[leader]].map(|cut| size(cut.as_ref().unwrap()));
+            assert!((own - first).abs() < 1e-9, "{own} {first}");
+        }
+    }
+    // Corners of a row of rectangles are set back at three sides, which half a turn puts on each other.
+    let row = grid(3, 1, |i, j| [2.0 * f64::from(i), f64::from(j), 0.0]);
+    let own = BuildSettings { setback: Some(0.1), ..settings() };
+    assert_eq!(build(&row, &own).types.counts, [2, 1]);
+}
+
+#[test]
 fn sides_in_line_are_set_back_alike() {
     // Beside a smaller panel, one side of the large one is half inner, half boundary.
     let positions =
@@ -386,6 +411,7 @@ fn panels_bent_beyond_the_least_radius_are_cut_as_two_triangles() {
         words.warnings.iter().any(|words| words.starts_with("16 panels are cut as two triangles"))
     );
     assert!(words.sheets.starts_with("32 parts"), "{}", words.sheets);
+    let order = made.order();
     // The triangles name each other, have a joint between them and are of the same face.
     for f in 0..16 {
         let [first, other] = [&made.parts[f], &made.parts[f + 16]];
@@ -395,7 +421,7 @@ fn panels_bent_beyond_the_least_radius_are_cut_as_two_triangles() {
         assert!(has(first, &other.name) && has(other, &first.name));
         assert_eq!([f as u32, f as u32 + 16].map(|panel| made.face_of(panel)), [Some(f as u32); 2]);
         // One after the other in the order of assembly.
-        assert_eq!(made.order[f] + 1, made.order[f + 16]);
+        assert_eq!(order[f] + 1, order[f + 16]);
     }
     let inset = |[a, b, c]: [f64; 3]| {
         let s = 0.5 * (a + b + c);

@@ -6,9 +6,10 @@ use crate::support::grid::grid;
 use shape_up::fabricate::file::Drawing;
 use shape_up::fabricate::sheet::{Role, strokes, text_width};
 use shape_up::fabricate::{Build, Stand};
+use shape_up::math::plane::{area, bounds, distance, is_inside};
 use shape_up::mesh::{Mesh, Ragged};
-use shape_up::scene::{BuildSettings, Product};
-use std::collections::BTreeSet;
+use shape_up::scene::{BuildSettings, Names, Product};
+use std::collections::{BTreeMap, BTreeSet};
 
 /// The names in a drawing, each with the middle of its letters.
 fn names(drawing: &Drawing) -> Vec<(String, [f64; 2])> {
@@ -42,11 +43,12 @@ fn a_roof_is_seen_from_above_and_from_a_side_with_each_name_on_its_panel() {
     let mesh = grid(6, 4, |i, j| [f64::from(i), f64::from(j), 0.1 * f64::from(i * j)]);
     let made = build(&mesh, &BuildSettings::default());
     let key = made.key(true);
-    let [drawing, side] = &key[..] else { panic!("{} drawings", key.len()) };
-    assert_eq!(drawing.title, "KEY 1/2, NOT TO BE CUT, SEEN FROM ABOVE");
+    let [drawing, side, unrolled] = &key[..] else { panic!("{} drawings", key.len()) };
+    assert_eq!(drawing.title, "KEY 1/3, NOT TO BE CUT, SEEN FROM ABOVE");
     // It rises to one corner, and faces the other.
-    assert_eq!(side.title, "KEY 2/2, NOT TO BE CUT, SEEN FROM -X -Y, ABOVE");
-    assert_eq!(names(side).len(), mesh.faces.len());
+    assert_eq!(side.title, "KEY 2/3, NOT TO BE CUT, SEEN FROM -X -Y, ABOVE");
+    assert_eq!(unrolled.title, "KEY 3/3, NOT TO BE CUT, UNROLLED BY ROWS, SEEN FROM OUTSIDE");
+    assert!([side, unrolled].iter().all(|own| names(own).len() == mesh.faces.len()));
     let found = names(drawing);
     assert_eq!(found.len(), mesh.faces.len());
     // One scale and one offset take the middles of all panels to their names.
@@ -103,18 +105,102 @@ fn what_is_hidden_from_all_sides_is_said() {
         inner.faces.iter().map(|face| face.iter().map(|v| v + 8).collect()).collect();
     mesh.positions.extend(inner.positions);
     mesh.faces = mesh.faces.iter().map(<[u32]>::to_vec).chain(faces).collect::<Ragged>();
+    // Panels are on the last drawing, on which they are unrolled.
     let key = build(&mesh, &BuildSettings::default()).key(true);
-    assert!(
-        ["P6", "P7", "P8", "P9", "P10", "P11"].iter().all(|own| !all_names(&key).contains(*own))
-    );
-    assert_eq!(all_names(&key).len(), 6);
-    assert!(key[0].title.ends_with(", WITHOUT 6 NAMES THAT NO VIEW SHOWS"));
+    let views = all_names(&key[..key.len() - 1]);
+    assert!(["P6", "P7", "P8", "P9", "P10", "P11"].iter().all(|own| !views.contains(*own)));
+    assert_eq!((views.len(), all_names(&key).len()), (6, 12));
+    assert!(key.iter().all(|own| !own.title.contains("WITHOUT")));
+    // Fins are in no other.
+    let fins = BuildSettings { product: Product::Fins, ..BuildSettings::default() };
+    let made = build(&mesh, &fins);
+    let key = made.key(true);
+    let hidden = made.fins.len() + mesh.positions.len() - all_names(&key).len();
+    assert!(hidden >= 20, "{hidden}");
+    let said = format!(", WITHOUT {hidden} NAMES THAT NO VIEW SHOWS");
+    assert!(key[0].title.ends_with(&said), "{}", key[0].title);
     // On every page, however narrow.
     for Drawing { lines, size: [width, _], .. } in &key {
         assert!(
             lines.iter().flat_map(|line| &line.points).all(|[x, _]| (0.0..=*width).contains(x))
         );
     }
+}
+
+/// The closed outlines of a drawing.
+fn outlines(drawing: &Drawing) -> Vec<Vec<[f64; 2]>> {
+    let lines = drawing.lines.iter().filter(|line| line.role == Role::Sheet);
+    let closed = |points: &Vec<[f64; 2]>| points.len() > 3 && points.first() == points.last();
+    let all = lines.map(|line| line.points.clone()).filter(closed);
+    all.map(|points| points[1..].to_vec()).collect()
+}
+
+/// The unrolled panels by name, and millimetres per unit of the mesh.
+fn unrolled(made: &Build) -> (BTreeMap<String, Vec<[f64; 2]>>, f64) {
+    let drawing = made.key(true).pop().expect("there is a key");
+    assert!(drawing.title.contains("UNROLLED BY ROWS"), "{}", drawing.title);
+    let all = outlines(&drawing);
+    let scale = {
+        let drawn: f64 = all.iter().map(|own| area(own)).sum();
+        let own: f64 = made.flat.iter().flatten().map(|own| area(&own.corners)).sum();
+        (drawn / own).sqrt()
+    };
+    let on = |(name, at): (String, [f64; 2])| {
+        let on: Vec<&Vec<[f64; 2]>> = all.iter().filter(|own| is_inside(own, at)).collect();
+        assert_eq!(on.len(), 1, "{name} is on one panel, and no panel on another one");
+        (name, on[0].clone())
+    };
+    (names(&drawing).into_iter().map(on).collect(), scale)
+}
+
+#[test]
+fn the_shape_is_unrolled_row_above_row_with_each_panel_in_its_size() {
+    for print_inside in [false, true] {
+        let own =
+            BuildSettings { names: Names::Assembly, print_inside, ..BuildSettings::default() };
+        let made = build(&revolution(6, 5), &own);
+        let (panels, scale) = unrolled(&made);
+        assert_eq!(panels.len(), made.names.len());
+        for (name, flat) in made.names.iter().zip(&made.flat) {
+            let [own, drawn] = [area(&flat.as_ref().unwrap().corners), area(&panels[name])];
+            // Counterclockwise as seen from outside; coordinates are rounded to hundredths.
+            assert!((drawn / (scale * scale * own) - 1.0).abs() < 0.01, "{name}: {drawn}");
+        }
+        // The panels of a row hang together, to the right as they follow, and lie below those of the next.
+        let mut below = 0.0;
+        for row in &made.rows {
+            let own: Vec<_> = row.iter().map(|&f| &panels[&made.names[f as usize]]).collect();
+            for pair in own.windows(2) {
+                let common = pair[0]
+                    .iter()
+                    .filter(|point| pair[1].iter().any(|other| distance(**point, *other) < 0.03));
+                assert_eq!(common.count(), 2);
+            }
+            let [low, high] = bounds(own.into_iter().flatten().copied());
+            assert!(low[1] > below);
+            below = high[1];
+        }
+    }
+}
+
+#[test]
+fn a_belt_of_triangles_is_unrolled_as_one_strip() {
+    let mut mesh = revolution(6, 3);
+    let halves = |face: &[u32]| [[face[0], face[1], face[2]], [face[2], face[3], face[0]]];
+    mesh.faces = mesh.faces.iter().flat_map(halves).collect();
+    let made = build(&mesh, &BuildSettings::default());
+    let (panels, _) = unrolled(&made);
+    assert_eq!(panels.len(), mesh.faces.len());
+    let all: Vec<_> = panels.values().collect();
+    let are_joined = |a: &Vec<[f64; 2]>, b: &Vec<[f64; 2]>| {
+        let common =
+            a.iter().filter(|point| b.iter().any(|other| distance(**point, *other) < 0.03));
+        common.count() == 2
+    };
+    let pairs = (0..all.len()).flat_map(|k| (0..k).map(move |j| [j, k]));
+    let joined = pairs.filter(|&[j, k]| are_joined(all[j], all[k])).count();
+    // Each of the strips has one joint less than triangles.
+    assert!(all.len() - joined <= 4, "{} {joined}", all.len());
 }
 
 #[test]

@@ -1,19 +1,20 @@
 //! Key drawings: where each part goes. The shape from above, from as many more sides as are needed until
 //! every panel, or with fins every beam and node, has its name in one of them, and, unless it is level,
-//! from at least one side. They are to be read, not to be cut.
+//! from at least one side, and but for fins, unrolled by rows. They are to be read, not to be cut.
 //!
 //! | file | holds |
 //! |---|---|
 //! | `view` | the shape in one direction, and which of its elements are seen |
+//! | `unrolled` | the rows of panels, laid flat |
 //! | `page` | the paper that a view needs, and its drawing |
 
 mod page;
+mod unrolled;
 mod view;
 
 use super::build::{Build, CutPanel};
 use super::file::Drawing;
 use super::sheet::CutPart;
-use super::surface::{beam_name, node_name};
 use super::view_axes::{ViewAxes, compass, from_above, from_camera};
 use crate::math::Vec3;
 use crate::math::plane::{Point2, rotated};
@@ -46,7 +47,7 @@ impl Build {
         let mut next = Some(seen_in(from_above(z_up)));
         let mut others = None;
         while let Some((view, spots)) = next.take() {
-            let page = Page::of(&view, &spots, &missing);
+            let page = Page::of(view.seen.size, &spots, &missing);
             missing.retain(|mark| !page.names(&spots, *mark));
             chosen.push((view, spots, page));
             if missing.is_empty() {
@@ -56,7 +57,7 @@ impl Build {
             let others = others
                 .get_or_insert_with(|| around(z_up).into_iter().map(seen_in).collect::<Vec<_>>());
             let named = |(view, spots): &(View<'_>, Vec<Option<Spot>>)| {
-                let page = Page::of(view, spots, &missing);
+                let page = Page::of(view.seen.size, spots, &missing);
                 missing.iter().filter(|mark| page.names(spots, **mark)).count()
             };
             let best = others.iter().map(named).zip(0..);
@@ -67,10 +68,18 @@ impl Build {
             && let Some(axes) = self.most_seen(z_up)
         {
             let (view, spots) = seen_in(axes);
-            let page = Page::of(&view, &spots, &[]);
+            let page = Page::of(view.seen.size, &spots, &[]);
             chosen.push((view, spots, page));
         }
-        let count = chosen.len();
+        let flat = self.settings.product != Product::Fins && !self.is_level(z_up);
+        let flat = flat.then(|| {
+            let laid = self.unrolled(z_up);
+            let spots = self.unrolled_spots(&laid, &marks);
+            let page = Page::of(laid.size, &spots, &missing);
+            missing.retain(|mark| !page.names(&spots, *mark));
+            (laid, spots, page)
+        });
+        let count = chosen.len() + usize::from(flat.is_some());
         let hidden = match missing.len() {
             0 => String::new(),
             1 => ", WITHOUT 1 NAME THAT NO VIEW SHOWS".to_owned(),
@@ -79,28 +88,44 @@ impl Build {
         let drawings = chosen.iter().zip(1..).map(|((view, spots, page), number)| {
             let seen = seen_from(view.axes, z_up);
             let title = format!("KEY {number}/{count}, NOT TO BE CUT, SEEN FROM {seen}{hidden}");
-            page.drawing(format!("key-{number}"), title, view, (spots, &marks), &seams)
+            let name = format!("key-{number}");
+            let place = (view.seen.low, view.seen.size);
+            page.drawing((name, title), place, view.lines(&seams), (spots, &marks))
         });
-        drawings.collect()
+        let mut drawings: Vec<Drawing> = drawings.collect();
+        if let Some((laid, spots, page)) = flat {
+            let title = format!(
+                "KEY {count}/{count}, NOT TO BE CUT, UNROLLED BY ROWS, SEEN FROM OUTSIDE{hidden}"
+            );
+            let lines = [&laid.lines[..], &self.unrolled_seams(&laid, &seams)].concat();
+            let (name, place) = (format!("key-{count}"), ([0.0; 2], laid.size));
+            drawings.push(page.drawing((name, title), place, lines, (&spots, &marks)));
+        }
+        drawings
     }
 
     /// The view from the side that most of the panels face; none if the shape is level.
     fn most_seen(&self, z_up: bool) -> Option<ViewAxes> {
+        if self.is_level(z_up) {
+            return None;
+        }
+        let facing = |[_, _, away]: ViewAxes| -> f64 {
+            self.surface.areas.iter().map(|area| (-area.dot(away)).max(0.0)).sum()
+        };
+        // In a tie the first one, regardless of rounding.
+        let more = |best, other| if facing(other) > 1.001 * facing(best) { other } else { best };
+        sides(z_up).into_iter().reduce(more)
+    }
+
+    /// Whether the whole shape lies in a level plane.
+    fn is_level(&self, z_up: bool) -> bool {
         let surface = &self.surface;
         let [_, _, up] = compass(z_up);
         let heights =
             surface.faces.indices().iter().map(|&v| surface.positions[v as usize].dot(up));
         let [low, high] = heights
             .fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], x| [low.min(x), high.max(x)]);
-        if high - low <= LEVEL * surface.mean_edge() {
-            return None;
-        }
-        let facing = |[_, _, away]: ViewAxes| -> f64 {
-            surface.areas.iter().map(|area| (-area.dot(away)).max(0.0)).sum()
-        };
-        // In a tie the first one, regardless of rounding.
-        let more = |best, other| if facing(other) > 1.001 * facing(best) { other } else { best };
-        sides(z_up).into_iter().reduce(more)
+        high - low <= LEVEL * surface.mean_edge()
     }
 
     /// The names of the parts that are made, and where they go. The panels of a paper model have the
@@ -110,8 +135,9 @@ impl Build {
         if self.settings.product == Product::Fins {
             let ends = |e: &u32| surface.edges[*e as usize].ends;
             let nodes = super::surface::distinct(self.fins.iter().flat_map(ends)).into_iter();
-            let nodes = nodes.map(|v| Mark { name: node_name(v), element: Element::Vertex(v) });
-            let beams = self.fins.iter().map(|e| (beam_name(ends(e)), Element::Edge(*e)));
+            let nodes =
+                nodes.map(|v| Mark { name: self.node_name(v), element: Element::Vertex(v) });
+            let beams = self.fins.iter().map(|e| (self.beam_name(ends(e)), Element::Edge(*e)));
             let beams = beams.map(|(name, element)| Mark { name, element });
             return beams.chain(nodes).collect();
         }

@@ -1,9 +1,8 @@
-//! The paper for a view: the smallest on which its names can be read, and the drawing.
+//! The paper for a view, or for the shape unrolled: the smallest on which its names can be read, and the drawing.
 
-use super::view::{Mark, Spot, View};
+use super::view::{Mark, Spot};
 use crate::fabricate::file::{Drawing, DrawnLine};
 use crate::fabricate::sheet::{Role, height_within, strokes, text_width};
-use crate::math::Vec3;
 use crate::math::plane::Point2;
 
 /// A4 to A0: shorter and longer side, in mm.
@@ -33,13 +32,13 @@ pub(super) struct Page {
 }
 
 impl Page {
-    /// The smallest page on which nearly all names of a view are read well, and none of the `missing`
+    /// The smallest page for a shape of this size on which nearly all its names are read well, and none of the `missing`
     /// marks is without a name that a larger page has; else the largest.
-    pub(super) fn of(view: &View<'_>, spots: &[Option<Spot>], missing: &[usize]) -> Page {
-        let is_wide = view.seen.size[0] > view.seen.size[1];
+    pub(super) fn of(shape: [f64; 2], spots: &[Option<Spot>], missing: &[usize]) -> Page {
+        let is_wide = shape[0] > shape[1];
         let pages = PAPERS.map(|[short, long]| {
             let size = if is_wide { [long, short] } else { [short, long] };
-            let scales = [0, 1].map(|k| (size[k] - 2.0 * MARGIN) / view.seen.size[k]);
+            let scales = [0, 1].map(|k| (size[k] - 2.0 * MARGIN) / shape[k]);
             let scale = scales[0].min(scales[1]);
             Page { size, scale: if scale.is_finite() { scale } else { 1.0 } }
         });
@@ -63,25 +62,22 @@ impl Page {
         spots[mark].is_some_and(|spot| self.height(&spot) >= LEAST)
     }
 
-    /// Draws the edges and the seams of panels that are seen, and the names.
+    /// Draws lines, and the names of marks, of what is in a box with this lower left corner and size.
     pub(super) fn drawing(
         &self,
-        name: String,
-        title: String,
-        view: &View<'_>,
+        (name, title): (String, String),
+        (low, shape): (Point2, [f64; 2]),
+        lines: Vec<Vec<Point2>>,
         (spots, marks): (&[Option<Spot>], &[Mark]),
-        seams: &[(u32, Vec<Vec3<f64>>)],
     ) -> Drawing {
         let put = |point: Point2| -> Point2 {
             std::array::from_fn(|k| {
-                let middle = view.seen.low[k] + 0.5 * view.seen.size[k];
+                let middle = low[k] + 0.5 * shape[k];
                 rounded(0.5 * self.size[k] + self.scale * (point[k] - middle))
             })
         };
-        let edges = (0..view.surface.edges.len() as u32).filter_map(|edge| view.edge(edge));
-        let seams = seams.iter().filter_map(|(panel, ends)| view.seam(*panel, ends));
-        let mut lines: Vec<DrawnLine> =
-            edges.chain(seams).map(|ends| DrawnLine::of_sheet(ends.map(put).to_vec())).collect();
+        let lines = lines.into_iter().map(|line| line.into_iter().map(put).collect());
+        let mut lines: Vec<DrawnLine> = lines.map(DrawnLine::of_sheet).collect();
         let tall = (OF_PAGE * self.size[0].max(self.size[1])).clamp(TITLE[0], TITLE[1]);
         let tall = height_within(&title, tall, self.size[0] - 2.0 * MARGIN);
         let left = [MARGIN + 0.5 * text_width(&title, tall), 0.5 * MARGIN];

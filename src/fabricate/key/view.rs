@@ -44,11 +44,18 @@ const OF_EDGE: [f64; 2] = [0.7, 0.2];
 const OF_NODE: f64 = 0.15;
 
 pub(super) struct View<'a> {
-    pub(super) surface: &'a PanelSurface,
+    surface: &'a PanelSurface,
     pub(super) axes: ViewAxes,
     pub(super) seen: Seen,
     /// The box of each panel in the picture.
     panels: Boxes,
+}
+
+/// Where there is most room for a name on a polygon; `wide` is its width where it is one high.
+pub(super) fn on_polygon(corners: &[Point2], wide: f64) -> Option<Spot> {
+    let (at, radius) = roomiest_point(corners);
+    let height = radius / (0.25 * (wide * wide + 1.0)).sqrt();
+    (radius > 0.0).then_some(Spot { at, along: [1.0, 0.0], height })
 }
 
 impl View<'_> {
@@ -88,7 +95,7 @@ impl View<'_> {
     }
 
     /// Whether the middle of an edge is seen, and where it is.
-    pub(super) fn edge(&self, edge: u32) -> Option<[Point2; 2]> {
+    fn edge(&self, edge: u32) -> Option<[Point2; 2]> {
         let own = &self.surface.edges[edge as usize];
         if own.is_bridge() {
             return None;
@@ -107,11 +114,18 @@ impl View<'_> {
     }
 
     /// The ends of a seam of a panel, if its middle is seen.
-    pub(super) fn seam(&self, panel: u32, ends: &[Vec3<f64>]) -> Option<[Point2; 2]> {
+    fn seam(&self, panel: u32, ends: &[Vec3<f64>]) -> Option<[Point2; 2]> {
         let [a, b] = self.projected(ends)[..] else { return None };
         let middle = [0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])];
         let depth = self.depth(panel, middle)?;
         (!self.is_hidden(middle, depth, &[panel])).then_some([a, b])
+    }
+
+    /// The edges and the seams of panels that are seen.
+    pub(super) fn lines(&self, seams: &[(u32, Vec<Vec3<f64>>)]) -> Vec<Vec<Point2>> {
+        let edges = (0..self.surface.edges.len() as u32).filter_map(|edge| self.edge(edge));
+        let seams = seams.iter().filter_map(|(panel, ends)| self.seam(*panel, ends));
+        edges.chain(seams).map(|ends| ends.to_vec()).collect()
     }
 
     /// Where the names of some marks are written; none if what they name is not seen.
@@ -143,11 +157,9 @@ impl View<'_> {
 
     /// The name of a panel, or of a piece of it with these corners in the picture.
     fn on_panel(&self, face: u32, corners: &[Point2], wide: f64) -> Option<Spot> {
-        let (at, radius) = roomiest_point(corners);
-        let depth = self.depth(face, at).filter(|_| radius > 0.0)?;
-        let height = radius / (0.25 * (wide * wide + 1.0)).sqrt();
-        let spot = Spot { at, along: [1.0, 0.0], height };
-        (!self.is_hidden(at, depth, &[face])).then_some(spot)
+        let spot = on_polygon(corners, wide)?;
+        let depth = self.depth(face, spot.at)?;
+        (!self.is_hidden(spot.at, depth, &[face])).then_some(spot)
     }
 
     fn on_edge(&self, edge: u32, wide: f64) -> Option<Spot> {

@@ -2,7 +2,6 @@
 //! follow from it.
 
 use super::{Axes, Closing, Closings, Inexact};
-use crate::fabricate::surface::{beam_name, node_name};
 use crate::scene::OffsetKind;
 use crate::words;
 
@@ -95,9 +94,15 @@ impl Axes {
 }
 
 impl Reason {
-    /// The reason as a clause; panels have these `names`, and exact offsets errors of at most
-    /// `tolerance` mm.
-    pub(in crate::fabricate) fn words(self, names: &[String], tolerance: f64) -> String {
+    /// The reason as a clause; panels have these `names`, a `node` and a `beam` those of their vertices, and
+    /// exact offsets errors of at most `tolerance` mm.
+    pub(in crate::fabricate) fn words(
+        self,
+        names: &[String],
+        node: impl Fn(u32) -> String,
+        beam: impl Fn([u32; 2]) -> String,
+        tolerance: f64,
+    ) -> String {
         let tolerance = words::millimetres_limit(tolerance);
         let plain = match self {
             Reason::OddPanels(panels) => {
@@ -119,13 +124,13 @@ impl Reason {
                 );
             }
             Reason::Distance(vertex) => {
-                let name = node_name(vertex);
+                let name = node(vertex);
                 return format!(
                     "the axes nearest to exact leave node {name} off its distance by more than {tolerance}"
                 );
             }
             Reason::Warp(ends) => {
-                let name = beam_name(ends);
+                let name = beam(ends);
                 return format!(
                     "the axes nearest to exact leave beam {name} out of flat by more than {tolerance}"
                 );

@@ -1,6 +1,7 @@
 //! Types of panels. The difference `delta(P, Q)` is the largest difference of corresponding
-//! distances between corners, minimised over cyclic shifts and (if the sheet may be turned over)
-//! mirror images. It is zero exactly for congruent panels, and needs no fitting.
+//! distances between corners, and of how far corresponding sides are moved before they are cut, minimised
+//! over cyclic shifts and (if the sheet may be turned over) mirror images. It is zero exactly for panels
+//! that are congruent and cut alike, and needs no fitting.
 
 use super::FlatPanel;
 use super::polygon::perimeter;
@@ -15,6 +16,8 @@ struct Shape {
     corners: usize,
     /// `distances[i * corners + k]`: from corner `k` to corner `k + s + 1`, with `s` the i-th offset.
     distances: Vec<f64>,
+    /// How far side `k`, from corner `k` to corner `k + 1`, is moved.
+    setbacks: Vec<f64>,
     /// The mean length of its sides.
     mean: f64,
     /// The largest of the distances.
@@ -22,14 +25,15 @@ struct Shape {
 }
 
 impl Shape {
-    fn of(panel: &FlatPanel) -> Shape {
+    fn of(panel: &FlatPanel, setbacks: Vec<f64>) -> Shape {
         let n = panel.corners.len();
         let distance =
             |s: usize, k: usize| length(minus(panel.corners[(k + s + 1) % n], panel.corners[k]));
         let distances: Vec<f64> =
             offsets(n).flat_map(|s| (0..n).map(move |k| distance(s, k))).collect();
         let longest = distances.iter().copied().fold(0.0, f64::max);
-        Shape { corners: n, distances, mean: perimeter(&panel.corners) / n as f64, longest }
+        let mean = perimeter(&panel.corners) / n as f64;
+        Shape { corners: n, distances, setbacks, mean, longest }
     }
 }
 
@@ -57,14 +61,18 @@ impl Alike for Shape {
         for shift in 0..n {
             for mirrored in [false, true].into_iter().take(1 + usize::from(mirror)) {
                 let bound = least.min(most);
-                let mut worst: f64 = 0.0;
+                let there = |s: usize, k: usize| match mirrored {
+                    true => (2 * n + shift - k - s - 1) % n,
+                    false => (k + shift) % n,
+                };
+                let moved = |k: usize| (self.setbacks[k] - other.setbacks[there(0, k)]).abs();
+                let mut worst = (0..n).map(moved).fold(0.0, f64::max);
+                if worst > bound {
+                    continue;
+                }
                 'all: for (i, s) in offsets(n).enumerate() {
                     for k in 0..n {
-                        let there = if mirrored {
-                            (2 * n + shift - k - s - 1) % n
-                        } else {
-                            (k + shift) % n
-                        };
+                        let there = there(s, k);
                         let difference = self.distances[i * n + k] - other.distances[i * n + there];
                         worst = worst.max(difference.abs());
                         if worst > bound {
@@ -79,9 +87,18 @@ impl Alike for Shape {
     }
 }
 
-/// Sorts panels into types within `tolerance`.
-pub fn panel_types(panels: &[Option<FlatPanel>], tolerance: f64, mirror: bool) -> Types {
-    Types::new(panels.iter().map(|panel| panel.as_ref().map(Shape::of)), tolerance, mirror)
+/// Sorts panels into types within `tolerance`. The sides of panel `f` are moved by `setbacks(f)` before it
+/// is cut, in the unit of the mesh.
+pub fn panel_types(
+    panels: &[Option<FlatPanel>],
+    setbacks: impl Fn(usize) -> Vec<f64>,
+    tolerance: f64,
+    mirror: bool,
+) -> Types {
+    let shape = |(panel, f): (&Option<FlatPanel>, usize)| {
+        panel.as_ref().map(|panel| Shape::of(panel, setbacks(f)))
+    };
+    Types::new(panels.iter().zip(0..).map(shape), tolerance, mirror)
 }
 
 #[cfg(test)]

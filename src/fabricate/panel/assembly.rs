@@ -49,6 +49,32 @@ impl Stand {
     }
 }
 
+/// The number of each vertex in the order of assembly, from 1: with the first of its panels, which are
+/// assembled in these `rows`; of one panel the lower ones first, else as they follow on it. Vertices without
+/// panels come last.
+pub fn assembly_of_nodes(surface: &PanelSurface, rows: &[Vec<u32>], stand: &Stand) -> Vec<u32> {
+    /// Heights that differ by less are the same, as a fraction of the mean length of the edges.
+    const LEVEL: f64 = 0.01;
+    let level = LEVEL * surface.mean_edge();
+    let height = |v: u32| stand.height_and_plan(surface.at(v)).0;
+    let mut numbers = vec![0; surface.positions.len()];
+    let mut count = 0;
+    let mut add = |v: u32| {
+        if numbers[v as usize] == 0 {
+            count += 1;
+            numbers[v as usize] = count;
+        }
+    };
+    for &f in rows.iter().flatten() {
+        let mut own = surface.faces.row(f as usize).to_vec();
+        let lowest = own.iter().map(|&v| height(v)).fold(f64::INFINITY, f64::min);
+        own.sort_by_key(|&v| if level > 0.0 { ((height(v) - lowest) / level) as u64 } else { 0 });
+        own.into_iter().for_each(&mut add);
+    }
+    (0..surface.positions.len() as u32).for_each(add);
+    numbers
+}
+
 /// The panels of each row, in the order of assembly. All panels are in one row.
 pub fn assembly_rows(surface: &PanelSurface, stand: &Stand) -> Vec<Vec<u32>> {
     let plan = Plan::new(surface, stand);

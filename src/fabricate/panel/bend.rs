@@ -4,8 +4,10 @@
 //! the sagitta `w/4`, hence of the radius `d^2 / (2 w)`. The shorter diagonal is bent most.
 
 use super::{FlatPanel, is_simple, triangles};
+use crate::fabricate::fault::Fault;
 use crate::fabricate::surface::{PanelSurface, unit};
 use crate::math::Vec3;
+use crate::mesh::Mesh;
 
 /// A panel as two triangles of its vertices. The first begins with the first side of the panel.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -51,6 +53,44 @@ pub(in crate::fabricate) fn bent_panels(
         Some(Halves { panel, corners })
     };
     (0..).zip(flat).filter_map(halves).collect()
+}
+
+/// The surface and the names of its panels, some of which are two triangles, as which they stand in the
+/// order of assembly, too.
+///
+/// # Errors
+/// As of [`PanelSurface::new`].
+pub(in crate::fabricate) fn halved(
+    mesh: &Mesh,
+    whole: &PanelSurface,
+    (mut names, rows): (Vec<String>, &mut [Vec<u32>]),
+    bent: &[Halves],
+) -> Result<(PanelSurface, Vec<String>), Fault> {
+    let count = mesh.faces.len();
+    let mut faces: Vec<&[u32]> = whole.faces.iter().take(count).collect();
+    let mut second: Vec<Option<u32>> = vec![None; names.len()];
+    for (Halves { panel, corners: [first, other] }, number) in bent.iter().zip(count as u32..) {
+        faces[*panel as usize] = first;
+        faces.push(other);
+        second[*panel as usize] = Some(number);
+    }
+    let halves = bent.iter().map(|own| format!("{}.2", names[own.panel as usize]));
+    let halves: Vec<String> = halves.collect();
+    bent.iter().for_each(|own| names[own.panel as usize].push_str(".1"));
+    names.splice(count..count, halves);
+    let with_second = |f: u32| {
+        // Panels with holes come after all halves.
+        let is_face = (f as usize) < count;
+        let first = if is_face { f } else { f + bent.len() as u32 };
+        std::iter::once(first).chain(second[f as usize])
+    };
+    for row in rows {
+        *row = row.iter().copied().flat_map(with_second).collect();
+    }
+    let faces = faces.into_iter().collect();
+    let mut surface = PanelSurface::new(&Mesh { faces, ..mesh.clone() })?;
+    surface.turned = whole.turned;
+    Ok((surface, names))
 }
 
 #[cfg(test)]

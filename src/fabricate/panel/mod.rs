@@ -11,8 +11,8 @@ mod splice;
 
 pub(super) use crate::math::{ears as triangles, triangles_in_space, turn};
 pub use alike::panel_types;
-pub use assembly::{Stand, assembly_rows};
-pub(super) use bend::{Halves, bent_panels};
+pub use assembly::{Stand, assembly_of_nodes, assembly_rows};
+pub(super) use bend::{bent_panels, halved};
 pub(super) use inset::alike_in_line;
 pub use inset::{inset, inset_sides};
 pub use name::panel_names;

@@ -3,7 +3,8 @@
 //! `P12` is face 12 of the mesh, counted from 0 as everywhere; faces of the file that are left as they
 //! are, [`crate::mesh::Mesh::untouched`], do not count. On a mesh that is one grid of quads,
 //! names by row and column (`C-07`) are an option, because builders work in rows. On every mesh they may
-//! be numbered in the order of assembly: `A1` to `A12` stand on the ground, `B1` is above.
+//! be numbered in the order of assembly: `A1` to `A12` stand on the ground, `B1` is above. Then nodes with fins
+//! have numbers in this order, too, and fins the numbers of their nodes.
 
 use crate::fabricate::surface::PanelSurface;
 use crate::math::{argsort, key_of_pair};

@@ -11,25 +11,17 @@
 //! reaches its end, `h` before it, unless the material that is left there otherwise, `h (1/sin a - 1)`, is
 //! too little to matter.
 
-use crate::fabricate::boxes::Boxes;
-use crate::fabricate::panel::{direction_of, sides};
+use super::touching::{Contact, Outline, ROUNDING, SAME, Side, TOUCHING};
+use crate::fabricate::panel::direction_of;
 use crate::math::plane::{Point2, bounds, cross, distance, dot, minus, rotated};
 use crate::math::{cosine, sine};
 
 /// Mitres end within this many halves of the kerf from their corner; sharper ones are cut off.
 const LONGEST: f64 = 2.5;
-/// Sides that overlap by less, in mm, touch: panels that count as flat are so far off.
-const TOUCHING: f64 = 0.02;
-/// The cosine between the outward directions of sides that may touch so.
-const OPPOSITE: f64 = -0.99;
 /// Less material than this, in mm, may be left at the end of a slit.
 const LEFT: f64 = 0.1;
 /// Steps around a corner without room for its mitre, in radians.
 const STEP: f64 = 0.25;
-/// Points closer than this, in mm, are one.
-const SAME: f64 = 1e-6;
-/// Sines and slopes below this, and distances in mm, are rounding.
-const ROUNDING: f64 = 1e-9;
 
 /// How far the line that is cut may be outside the outline, in mm.
 pub(in crate::fabricate) fn reach(kerf: f64) -> f64 {
@@ -48,123 +40,6 @@ pub(in crate::fabricate) fn cut_line(outline: &[Point2], kerf: f64) -> Vec<Point
         line.move_corner(k);
     }
     line.into_points()
-}
-
-/// A side of the outline.
-struct Side {
-    start: Point2,
-    along: Point2,
-    outwards: Point2,
-    length: f64,
-}
-
-impl Side {
-    fn at(&self, along: f64) -> Point2 {
-        [0, 1].map(|x| self.start[x] + along * self.along[x])
-    }
-}
-
-struct Outline {
-    sides: Vec<Side>,
-    boxes: Boxes,
-}
-
-/// Where a disc touches the outline: a side, and how far along it.
-type Contact = (usize, f64);
-
-impl Outline {
-    fn new(outline: &[Point2]) -> Outline {
-        let boxes = Boxes::of(sides(outline).map(bounds));
-        let side = |[start, end]: [Point2; 2]| {
-            let along = direction_of(start, end);
-            Side { start, along, outwards: [along[1], -along[0]], length: distance(start, end) }
-        };
-        Outline { sides: sides(outline).map(side).collect(), boxes }
-    }
-
-    fn before(&self, k: usize) -> usize {
-        (k + self.sides.len() - 1) % self.sides.len()
-    }
-
-    fn after(&self, k: usize) -> usize {
-        (k + 1) % self.sides.len()
-    }
-
-    /// Whether the outline turns inwards at the start of a side: also where a slit has no width, or less.
-    fn is_concave(&self, k: usize) -> bool {
-        /// The sine of the sharpest angle of a piece.
-        const SHARPEST: f64 = 0.01;
-        let [u, v] = [self.before(k), k].map(|k| self.sides[k].along);
-        let turn = cross(u, v);
-        turn < -ROUNDING || (dot(u, v) < 0.0 && turn < SHARPEST)
-    }
-
-    /// The sides whose discs do not end at a side: itself, and its neighbours where it bulges.
-    fn own(&self, k: usize) -> [usize; 3] {
-        let (before, after) = (self.before(k), self.after(k));
-        let before = if self.is_concave(k) { k } else { before };
-        [k, before, if self.is_concave(after) { k } else { after }]
-    }
-
-    /// Whether no other corner is at the place of the start of a side.
-    fn is_alone(&self, k: usize) -> bool {
-        let corner = self.sides[k].start;
-        let around = [-SAME, SAME].map(|by| corner.map(|x| x + by));
-        let others = self.boxes.meeting(around).map(|v| v as usize).filter(|&v| v != k);
-        others.into_iter().all(|v| distance(self.sides[v].start, corner) > SAME)
-    }
-
-    /// The radius of the largest disc that touches the outline at `base` and whose centre lies in the
-    /// direction `way` from there, at most `most`, and what else it touches; the sides `own` do not count.
-    fn disc(&self, base: Point2, way: Point2, own: &[usize], most: f64) -> (f64, Option<Contact>) {
-        let centre = |by: f64| [0, 1].map(|x| base[x] + by * way[x]);
-        let [x, y] = centre(most);
-        let by = most + TOUCHING;
-        let mut found = (most, None);
-        for v in self.boxes.meeting([[x - by, y - by], [x + by, y + by]]) {
-            let v = v as usize;
-            if own.contains(&v) {
-                continue;
-            }
-            let side = &self.sides[v];
-            let mut consider = |radius: f64, along: f64| {
-                if radius < found.0 {
-                    found = (radius, Some((v, along.clamp(0.0, side.length))));
-                }
-            };
-            let before = dot(minus(base, side.start), side.outwards);
-            let facing = dot(way, side.outwards);
-            let is_on = |along: f64| (-SAME..=side.length + SAME).contains(&along);
-            if before >= -SAME && facing < 1.0 - ROUNDING {
-                let radius = before.max(0.0) / (1.0 - facing);
-                let along = dot(minus(centre(radius), side.start), side.along);
-                if is_on(along) {
-                    // A side that begins at the base and leads away from the disc is not in its way.
-                    let onwards = if along < 0.5 * side.length { 1.0 } else { -1.0 };
-                    let is_end = along.min(side.length - along) < SAME;
-                    let leads_away = onwards * dot(side.along, way) < -ROUNDING;
-                    if !(before < SAME && is_end && leads_away) {
-                        consider(radius, along);
-                    }
-                    continue;
-                }
-            } else if before > -TOUCHING && facing < OPPOSITE {
-                let along = dot(minus(base, side.start), side.along);
-                if is_on(along) {
-                    consider(0.0, along);
-                    continue;
-                }
-            }
-            for along in [0.0, side.length] {
-                let to = minus(side.at(along), base);
-                let ahead = dot(to, way);
-                if ahead > ROUNDING * most {
-                    consider(0.5 * dot(to, to) / ahead, along);
-                }
-            }
-        }
-        found
-    }
 }
 
 struct Line {

@@ -14,6 +14,7 @@ mod tab;
 mod tab_name;
 mod thickness;
 mod tongue;
+mod touching;
 
 pub use drawn::{MissingNames, drawn, write_names};
 pub use facet::{Facet, FacetSide, FoldKind, Joint};

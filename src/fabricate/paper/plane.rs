@@ -30,7 +30,7 @@ impl Motion {
     }
 
     /// This motion after another one.
-    pub(super) fn after(&self, first: &Motion) -> Motion {
+    pub(in crate::fabricate) fn after(&self, first: &Motion) -> Motion {
         Motion { turn: rotated(first.turn, self.turn), shift: self.put(first.shift) }
     }
 }

@@ -4,7 +4,7 @@ use super::place::{PLACE, place_cells};
 use crate::fabricate::beam::Frame;
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
-use crate::fabricate::surface::{Edge, beam_name, node_name};
+use crate::fabricate::surface::Edge;
 
 /// All tables, with the names of their files.
 pub(super) fn all(build: &Build, frame: &Frame) -> Vec<(&'static str, String)> {
@@ -12,7 +12,7 @@ pub(super) fn all(build: &Build, frame: &Frame) -> Vec<(&'static str, String)> {
         ("fins.csv", fins(build, frame)),
         ("beams.csv", prisms(build, frame)),
         ("node-beams.csv", around_nodes(build, frame)),
-        ("node-types.csv", types(frame)),
+        ("node-types.csv", types(build, frame)),
     ];
     if !build.discs.is_empty() {
         tables.push(("discs.csv", discs(build, frame)));
@@ -22,8 +22,9 @@ pub(super) fn all(build: &Build, frame: &Frame) -> Vec<(&'static str, String)> {
 
 /// The number of each fin in the order of assembly, from 1: with the first of the panels beside it.
 fn order(build: &Build) -> Vec<usize> {
+    let panels = build.order();
     let first = |k: &usize| {
-        let beside = build.parts[*k].panels.iter().map(|&f| build.order[f as usize]);
+        let beside = build.parts[*k].panels.iter().map(|&f| panels[f as usize]);
         (beside.min().unwrap_or(u32::MAX), *k)
     };
     let mut sorted: Vec<usize> = (0..build.fins.len()).collect();
@@ -50,7 +51,7 @@ fn fins(build: &Build, frame: &Frame) -> String {
     let fins = build.fins.iter().zip(&build.parts).zip(places);
     for (((&edge, part), place), number) in fins.zip(order(build)) {
         let Ok(fin) = &frame.fins[edge as usize] else { continue };
-        let [a, b] = build.surface.edges[edge as usize].ends.map(node_name);
+        let [a, b] = build.surface.edges[edge as usize].ends.map(|v| build.node_name(v));
         let row = [
             Cell::from(&*part.name),
             Cell::from(&*a),
@@ -87,8 +88,8 @@ fn prisms(build: &Build, frame: &Frame) -> String {
     let all = build.surface.edges.iter().zip(&frame.prisms).enumerate();
     let is_beam = |edge: &Edge| build.surface.length(edge) > 0.0 && !edge.is_bridge();
     for (e, (edge, prism)) in all.filter(|(_, (edge, _))| is_beam(edge)) {
-        let name = beam_name(edge.ends);
-        let [a, b] = edge.ends.map(node_name);
+        let name = build.beam_name(edge.ends);
+        let [a, b] = edge.ends.map(|v| build.node_name(v));
         let length = build.surface.length(edge) * building;
         let of_prism = |k: usize| prism.as_ref().map(|prism| prism.lengths[k] * building);
         let height = build.offset.as_ref().map(|(_, check)| check.beams[e].height[1] * building);
@@ -136,11 +137,11 @@ fn around_nodes(build: &Build, frame: &Frame) -> String {
             let fin = frame.fins[spoke.edge as usize].as_ref().ok();
             let end = usize::from(edge.ends[1] == v);
             table.row([
-                Cell::from(&*node_name(v)),
+                Cell::from(&*build.node_name(v)),
                 Cell::from(&*kind),
                 Cell::from(node.spokes.len()),
                 Cell::Count(number),
-                Cell::from(&*beam_name(edge.ends)),
+                Cell::from(&*build.beam_name(edge.ends)),
                 Cell::from(spoke.azimuth_deg),
                 Cell::from(spoke.elevation_deg),
                 Cell::from(fin.map(|fin| fin.cut_back[end] * build.mm_of_sheet())),
@@ -150,7 +151,7 @@ fn around_nodes(build: &Build, frame: &Frame) -> String {
     table.into_text()
 }
 
-fn types(frame: &Frame) -> String {
+fn types(build: &Build, frame: &Frame) -> String {
     let mut table = Table::new(&["type", "count", "beams", "first_node", "worst_difference_deg"]);
     for (k, &leader) in frame.types.leaders.iter().enumerate() {
         let beams = frame.nodes[leader as usize].as_ref().map_or(0, |node| node.spokes.len());
@@ -158,7 +159,7 @@ fn types(frame: &Frame) -> String {
             Cell::from(&*type_name(k as u32)),
             Cell::from(frame.types.counts[k] as usize),
             Cell::from(beams),
-            Cell::from(&*node_name(leader)),
+            Cell::from(&*build.node_name(leader)),
             Cell::from(frame.types.worst[k]),
         ]);
     }
@@ -197,8 +198,8 @@ fn discs(build: &Build, frame: &Frame) -> String {
         let Some(Ok(disc)) = &frame.discs[own.vertex as usize] else { continue };
         let (part, place) = (&build.parts[own.part], places[own.part]);
         let first = disc.slots.first();
-        let first = first.map(|slot| beam_name(build.surface.edges[slot.edge as usize].ends));
-        let name = node_name(own.vertex);
+        let first = first.map(|slot| build.beam_name(build.surface.edges[slot.edge as usize].ends));
+        let name = build.node_name(own.vertex);
         let row = [
             Cell::from(&*name),
             Cell::from(2.0 * disc.radius * model),

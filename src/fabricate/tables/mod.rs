@@ -13,7 +13,6 @@ mod strips;
 
 use super::build::Build;
 use super::file::{Cell, Table};
-use super::surface::beam_name;
 use crate::scene::{
     BUILD_SETTINGS, BuildForm, BuildSetting, BuildSettings, BuildUnit, Product, ordered,
 };
@@ -118,7 +117,7 @@ fn summary(build: &Build, names: &[&str]) -> String {
         row(&format!("{}, limit", check.label), Cell::from(check.limit), check.unit);
     }
     let settings = used_settings(build);
-    let seams = build.settings.seams.iter().copied().map(ordered).map(beam_name);
+    let seams = build.settings.seams.iter().copied().map(|ends| build.beam_name(ordered(ends)));
     let seams = seams.collect::<Vec<_>>().join(" ");
     let is_used = |setting: &&BuildSetting| {
         // Without edges there is nothing to say of them.

@@ -5,7 +5,6 @@ use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::panel::{perimeter, smallest_box};
 use crate::fabricate::sheet::CutPart;
-use crate::fabricate::surface::node_name;
 use crate::math::plane::rotated;
 
 /// The name of a type of panels.
@@ -28,13 +27,13 @@ pub(super) fn panels(build: &Build) -> String {
     ];
     let mut table = Table::new(&[&columns[..], &PLACE, &["order", "nodes"]].concat());
     let places = build.layout.places(build.parts.len());
-    let building = build.mm_of_building();
+    let (building, order) = (build.mm_of_building(), build.order());
     for (f, name) in build.names.iter().enumerate() {
         let kind = build.types.of[f].map(type_name).unwrap_or_default();
         let corners = build.surface.faces.row(f);
         let rings = build.surface.rings(f as u32);
         let around = |ring: &Vec<usize>| {
-            ring.iter().map(|&k| node_name(corners[k])).collect::<Vec<_>>().join(" ")
+            ring.iter().map(|&k| build.node_name(corners[k])).collect::<Vec<_>>().join(" ")
         };
         let nodes: Vec<String> = rings.iter().map(around).collect();
         let flat = build.flat[f].as_ref();
@@ -63,7 +62,7 @@ pub(super) fn panels(build: &Build) -> String {
                 Cell::from(flat.map(|flat| flat.flatness * building)),
                 Cell::from(flat.map(|flat| flat.flattening_error * building)),
             ];
-            let (order, nodes) = (Cell::from(build.order[f] as usize), nodes.join(" / "));
+            let (order, nodes) = (Cell::from(order[f] as usize), nodes.join(" / "));
             let last = [order, Cell::from(&*nodes)];
             table.row(row.into_iter().chain(place_cells(part, on_sheet)).chain(last));
         }

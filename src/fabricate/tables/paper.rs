@@ -3,7 +3,6 @@
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
 use crate::fabricate::paper::{JointKind, PaperModel};
-use crate::fabricate::surface::{beam_name, node_name};
 use crate::math::plane::distance;
 
 /// Both tables, with the names of their files.
@@ -31,10 +30,11 @@ fn pieces(build: &Build, model: &PaperModel) -> String {
     ];
     let mut table = Table::new(&columns);
     let places = build.layout.places(build.parts.len());
+    let order = build.order();
     for (k, part) in build.parts.iter().enumerate() {
         let place = places[k];
         let corner = place.map(|(_, place)| place.corner(&part.outline));
-        let first = part.panels.iter().map(|&panel| build.order[panel as usize]).min();
+        let first = part.panels.iter().map(|&panel| order[panel as usize]).min();
         let names: Vec<&str> =
             part.panels.iter().map(|&panel| &*build.names[panel as usize]).collect();
         table.row([
@@ -76,9 +76,9 @@ fn joins(build: &Build, model: &PaperModel) -> String {
     let net = &model.net;
     let number = numbers(model);
     for (joint, kind) in net.joints.iter().zip(&model.joint_kinds) {
-        let name = joint
-            .edge
-            .map_or("crease".to_owned(), |edge| beam_name(build.surface.edges[edge as usize].ends));
+        let name = joint.edge.map_or("crease".to_owned(), |edge| {
+            build.beam_name(build.surface.edges[edge as usize].ends)
+        });
         let panel = |k: usize| net.facets[joint.sides[k].0 as usize].panel as usize;
         let piece =
             |k: usize| format!("S{}", number[net.piece_of[joint.sides[k].0 as usize] as usize]);
@@ -151,7 +151,7 @@ fn tongues(build: &Build, model: &PaperModel) -> String {
         let panel = |f: u32| &*build.names[net.facets[f as usize].panel as usize];
         let (f, k) = own.side;
         let vertices = &net.facets[f as usize].vertices;
-        let node = |k: u32| node_name(vertices[k as usize % vertices.len()]);
+        let node = |k: u32| build.node_name(vertices[k as usize % vertices.len()]);
         let there = own.flange.side.0;
         table.row([
             Cell::from(&*own.name()),

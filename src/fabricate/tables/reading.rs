@@ -2,6 +2,10 @@
 
 /// What is explained, and in which words.
 const READING: [(&str, &str); 40] = [
+    (
+        "nodes.csv name",
+        "the vertex of the model, from 0; if fins have names in the order of assembly, its place in it, from 1",
+    ),
     ("edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     ("edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (
@@ -23,10 +27,6 @@ const READING: [(&str, &str); 40] = [
     (
         "panels.csv name",
         "after a dot, the number of a piece: joined by plates, or if edges.csv has its name, a triangle",
-    ),
-    (
-        "types.csv type",
-        "of panels that are alike before joints: those at the boundary are cut otherwise if their setback is not half the joint",
     ),
     ("panels.csv order", "of assembly, from the supports upwards"),
     ("panels.csv corners", "of the whole panel, also for a piece; nodes too"),

@@ -2,7 +2,6 @@
 
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
-use crate::fabricate::surface::{beam_name, node_name};
 use crate::math::polygon_sides;
 
 pub(super) fn edges(build: &Build) -> String {
@@ -28,8 +27,8 @@ pub(super) fn edges(build: &Build) -> String {
     }
     for (e, edge) in build.surface.edges.iter().enumerate().filter(|(_, edge)| !edge.is_bridge()) {
         let [a, b] = edge.ends;
-        let name = beam_name(edge.ends);
-        let (a, b) = (node_name(a), node_name(b));
+        let name = build.beam_name(edge.ends);
+        let (a, b) = (build.node_name(a), build.node_name(b));
         // Several on a side only where more than two panels meet, or the surface has one side, or beyond
         // a panel without area.
         let panels = |is_left: bool| {
@@ -69,7 +68,7 @@ pub(super) fn nodes(build: &Build) -> String {
         let at = (build.surface.positions[v] + build.surface.centre) * building;
         let axis = build.offset.as_ref().map(|(axes, _)| axes.axes[v]);
         table.row([
-            Cell::from(&*node_name(v as u32)),
+            Cell::from(&*build.node_name(v as u32)),
             Cell::from(at.x),
             Cell::from(at.y),
             Cell::from(at.z),

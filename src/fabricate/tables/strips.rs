@@ -3,7 +3,6 @@
 use crate::fabricate::CoverStrip;
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
-use crate::fabricate::surface::{beam_name, node_name};
 
 /// The strips, each with the name of its edge: a list for the saw.
 pub(super) fn strips(build: &Build, strips: &[CoverStrip]) -> String {
@@ -21,11 +20,11 @@ pub(super) fn strips(build: &Build, strips: &[CoverStrip]) -> String {
     ]);
     for own in strips.iter().filter(|own| own.length > 0.0) {
         let edge = &build.surface.edges[own.edge as usize];
-        let [a, b] = edge.ends.map(node_name);
+        let [a, b] = edge.ends.map(|v| build.node_name(v));
         let panels = edge.panels.map(|panel| panel.map(|f| &*build.names[f as usize]));
         let [left, right] = panels.map(Option::unwrap_or_default);
         table.row([
-            Cell::from(&*beam_name(edge.ends)),
+            Cell::from(&*build.beam_name(edge.ends)),
             Cell::from(&*a),
             Cell::from(&*b),
             Cell::from(left),

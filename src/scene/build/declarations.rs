@@ -87,7 +87,11 @@ const ORDERS: BuildForm =
 const NAMES: BuildForm = choice(&[
     option("index", "P0, P1, P2 ...", ""),
     option("rows", "Rows and columns", "If the mesh is one grid of quads"),
-    option("assembly", "In order of assembly", "A1, A2 ... on the supports, B1 ... above"),
+    option(
+        "assembly",
+        "In order of assembly",
+        "A1, A2 ... on the supports, B1 ... above; with fins, nodes too",
+    ),
 ]);
 const DXF: BuildForm =
     choice(&[option("r2000", "DXF 2000", ""), option("r12", "DXF R12, for old machines", "")]);

@@ -1,5 +1,10 @@
 //! Paper models: no overlaps, hidden tabs, and folds and lengths of the shape.
 
+mod card;
+mod cut;
+mod names;
+mod seams;
+
 use super::identities::revolution;
 use super::{build, text_of};
 use crate::support::grid::grid;

@@ -1,9 +1,9 @@
 //! Names on the pieces of a paper model: on their panels, on their tabs, or beside pieces without
 //! room; names that fit nowhere are reported.
 
-use super::identities::revolution;
-use super::paper::{cases, model, scale, settings};
-use super::{build, text_of};
+use super::{cases, model, scale, settings};
+use crate::fabricate::identities::revolution;
+use crate::fabricate::{build, text_of};
 use crate::support::grid::grid;
 use shape_up::fabricate::paper::write_names;
 use shape_up::fabricate::sheet::Place;
@@ -22,7 +22,7 @@ fn contains(outline: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
 fn to_segment([x, y]: Point2, [a, b]: Point2, [c, d]: Point2) -> f64 {
     let (u, v) = (c - a, d - b);
     let along = (((x - a) * u + (y - b) * v) / (u * u + v * v)).clamp(0.0, 1.0);
-    super::length([x - a - along * u, y - b - along * v])
+    crate::fabricate::length([x - a - along * u, y - b - along * v])
 }
 
 #[test]

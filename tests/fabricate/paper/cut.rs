@@ -1,8 +1,8 @@
 //! What is cut of paper: outlines with a kerf, and tongues with their slots.
 
-use super::identities::revolution;
-use super::paper::{cases, model, scale, settings, waves};
-use super::{build, text_of};
+use super::{cases, model, scale, settings, waves};
+use crate::fabricate::identities::revolution;
+use crate::fabricate::{build, text_of};
 use shape_up::fabricate::Build;
 use shape_up::fabricate::paper::{JointKind, PaperModel, Tongue};
 use shape_up::math::Vec3;
@@ -96,7 +96,7 @@ fn outlines_of_paper_are_half_the_kerf_outside_and_cross_nothing_and_folds_stay(
 #[test]
 fn a_piece_as_large_as_the_sheet_lies_on_it_with_its_kerf() {
     // Two squares of 100 mm, which fit with tabs but not with a kerf.
-    let mesh = super::paper::two_squares(5.0);
+    let mesh = super::two_squares(5.0);
     for (kerf, pieces) in [(0.0, 1), (0.3, 2)] {
         let own = BuildSettings { scale: 50.0, tab: 0.0, kerf, ..settings(Pieces::Nets) };
         let made = build(&mesh, &BuildSettings { sheet: [210.5, 130.0], ..own });
@@ -107,7 +107,7 @@ fn a_piece_as_large_as_the_sheet_lies_on_it_with_its_kerf() {
 
 #[test]
 fn a_cut_that_is_too_wide_for_the_slits_of_nets_is_told_and_not_allowed_for() {
-    let mesh = super::paper::two_squares(5.0);
+    let mesh = super::two_squares(5.0);
     let [thin, wide] = [0.0, 3.0]
         .map(|kerf| build(&mesh, &BuildSettings { scale: 50.0, kerf, ..settings(Pieces::Nets) }));
     assert_eq!(thin.parts[0].outline, wide.parts[0].outline);

@@ -1,7 +1,7 @@
 //! Seams: edges along which a paper model is cut since the user says so.
 
-use super::paper::{assert_whole, cases, model, scale, settings};
-use super::{build, metres, text_of};
+use super::{assert_whole, cases, model, scale, settings};
+use crate::fabricate::{build, metres, text_of};
 use crate::support::grid::grid;
 use shape_up::fabricate::paper::{JointKind, PaperModel};
 use shape_up::fabricate::{Build, Stand};

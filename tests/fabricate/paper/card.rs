@@ -1,9 +1,9 @@
 //! Card: plates with a thickness, folded at their hinges, have their outer faces on the panels of the mesh,
 //! and keep apart.
 
-use super::identities::revolution;
-use super::paper::{model, scale, settings, waves};
-use super::{build, text_of};
+use super::{model, scale, settings, waves};
+use crate::fabricate::identities::revolution;
+use crate::fabricate::{build, text_of};
 use shape_up::fabricate::Build;
 use shape_up::fabricate::panel::inset_sides;
 use shape_up::fabricate::paper::PaperNet;
