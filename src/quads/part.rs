@@ -95,32 +95,27 @@ impl Asked<'_> {
             let (fault, at) = fault.expect("a map failed");
             return Err(RemeshError::NotFollowed { fault, smaller: self.smaller, at });
         };
-        let dropped = notes.dropped_creases;
         let is_small = notes.integers <= MOST_INTEGERS && self.wanted <= MOST_PANELS_VARIED;
         if notes.level == 0 && notes.flipped.is_empty() && is_small {
             for factor in NUMBERS {
-                let weights = [follow, direction, self.wanted * factor];
                 // Nor does what another number fails at.
-                let _ = mapper.maps(weights, &mut |_| (), &mut |prepared, map, notes| {
-                    if let Ok(found) = self.result(prepared, &map, &notes) {
-                        let count = found.faces.len() as f64 / self.wanted;
-                        let is_near = count.max(1.0 / count) < MOST_CHANGED;
-                        let is_better = match found.flaws().cmp(&best.flaws()) {
-                            Ordering::Less => true,
-                            Ordering::Equal => found.off_circles() < best.off_circles(),
-                            Ordering::Greater => false,
-                        };
-                        if notes.flipped.is_empty()
-                            && notes.dropped_creases <= dropped
-                            && is_near
-                            && is_better
-                        {
-                            best = found;
-                        }
-                    }
-                    // The first map of each number.
-                    false
-                });
+                let Some((prepared, map, notes)) = mapper.vary(self.wanted * factor) else {
+                    continue;
+                };
+                if !notes.flipped.is_empty() {
+                    continue;
+                }
+                let Ok(found) = self.result(prepared, &map, &notes) else { continue };
+                let count = found.faces.len() as f64 / self.wanted;
+                let is_near = count.max(1.0 / count) < MOST_CHANGED;
+                let is_better = match found.flaws().cmp(&best.flaws()) {
+                    Ordering::Less => true,
+                    Ordering::Equal => found.off_circles() < best.off_circles(),
+                    Ordering::Greater => false,
+                };
+                if is_near && is_better {
+                    best = found;
+                }
             }
         }
         Ok(best)

@@ -81,6 +81,11 @@ impl Remesher {
         Ok(Remesher { mesh, surfaces, area, staying_parts, stay, left_out, kept })
     }
 
+    /// Number of faces that stay as they are whatever the settings.
+    pub fn staying(&self) -> usize {
+        self.stay.len() + self.staying_parts.iter().map(|part| part.faces.len()).sum::<usize>()
+    }
+
     /// Covers the surface; see [`remesh`]. The result does not depend on what was asked before.
     ///
     /// # Errors

@@ -5,7 +5,7 @@ use crate::session::refine::{everything, open};
 use serde_json::json;
 use shape_up::math::{Vec3, cosine, sine, twice_vector_area};
 use shape_up::mesh::{Mesh, Point, Surface, Topology, write_obj};
-use shape_up::quads::{Boundary, RemeshStage};
+use shape_up::quads::{Boundary, MapOptions, PanelSize, RemeshStage};
 use shape_up::scene::{
     BoundaryCloseness, BoundaryRequire, Forecast, MeshSource, Scene, SceneError, Target,
 };
@@ -242,6 +242,56 @@ fn a_boundary_across_the_lines_of_curvature_cuts_panels_if_they_then_move_less()
     assert_eq!((followed.boundary, said(&followed)), (Some(Boundary::Followed), String::new()));
     let along = opened(vault(12, false));
     assert_eq!(laid_out(&along, &settings).boundary, Some(Boundary::Followed));
+}
+
+/// A low dome over a star with three teeth, so narrow that panels cannot follow its outline.
+fn star(moved: f64) -> Mesh {
+    let (columns, rings) = (6, 4);
+    let mut mesh = Mesh::default();
+    mesh.positions.push([moved, 0.0, 1.0]);
+    for ring in 1..=rings {
+        let share = f64::from(ring) / f64::from(rings);
+        for k in 0..columns {
+            let turns = f64::from(k) / f64::from(columns);
+            let radius = 4.0 * share * if k % 2 == 1 { 0.15 } else { 1.0 };
+            let (x, y) = (radius * cosine(turns), radius * sine(turns));
+            mesh.positions.push([moved + x, y, 1.0 - share * share]);
+        }
+    }
+    let name = |ring: u32, k: u32| 1 + (ring - 1) * columns + k % columns;
+    for k in 0..columns {
+        mesh.faces.push(&[0, name(1, k), name(1, k + 1)]);
+        for ring in 1..rings {
+            let inner = [name(ring, k), name(ring, k + 1)];
+            let outer = [name(ring + 1, k), name(ring + 1, k + 1)];
+            mesh.faces.push(&[inner[0], outer[0], outer[1]]);
+            mesh.faces.push(&[inner[0], outer[1], inner[1]]);
+        }
+    }
+    mesh
+}
+
+/// The part that only cut panels cover stayed as it was, since the other one could be covered.
+#[test]
+fn a_part_that_panels_cover_only_if_they_are_cut_is_covered() {
+    let mut mesh = star(20.0);
+    let first = mesh.positions.len() as u32;
+    let other = vault(10, false);
+    mesh.positions.extend(&other.positions);
+    for face in other.faces.iter() {
+        mesh.faces.push(&face.iter().map(|v| first + v).collect::<Vec<u32>>());
+    }
+    let session = opened(mesh);
+    let mut layouts = session.panel_layouts(&[]).unwrap();
+    let mut staying = |boundary| {
+        let size = PanelSize::Length(0.5);
+        let found = layouts.remesh(&MapOptions::of_size(size), boundary, &mut |_| ());
+        let (found, boundary) = found.unwrap();
+        let words = found.notes.into_iter().map(|note| note.words);
+        (found.staying > 0, boundary, words.filter(|words| words.contains("cover less")).count())
+    };
+    assert_eq!(staying(Some(Boundary::Followed)), (true, Some(Boundary::Followed), 0));
+    assert_eq!(staying(None), (false, Some(Boundary::Cut), 1));
 }
 
 #[test]

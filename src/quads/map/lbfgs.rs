@@ -12,11 +12,11 @@ const HALVINGS: usize = 30;
 /// Relative decrease at which it ends.
 const SMALL: f64 = 1e-5;
 
-/// Minimises from `x` in at most `steps` steps. `function` returns the value and sets the gradient;
-/// returns how often it was called.
+/// Minimises from `x` in at most so many steps and calls, of which the first is always made. `function`
+/// returns the value and sets the gradient; returns how often it was called.
 pub(super) fn minimise(
     x: &mut [f64],
-    steps: usize,
+    [most_steps, most_calls]: [usize; 2],
     mut function: impl FnMut(&[f64], &mut [f64]) -> f64,
 ) -> usize {
     let n = x.len();
@@ -25,7 +25,7 @@ pub(super) fn minimise(
     let mut value = function(x, &mut gradient);
     let mut memory = LimitedMemory::of(MEMORY);
     let (mut next, mut next_gradient) = (vec![0.0; n], vec![0.0; n]);
-    for _ in 0..steps {
+    for _ in 0..most_steps {
         let mut direction: Vec<f64> = gradient.iter().map(|g| -g).collect();
         memory.apply(&mut direction);
         let mut slope = inner_product(&direction, &gradient);
@@ -42,6 +42,9 @@ pub(super) fn minimise(
         let mut step = if memory.is_empty() { (0.1 / longest).min(1.0) } else { 1.0 };
         let mut halvings = 0;
         let next_value = loop {
+            if calls >= most_calls {
+                return calls;
+            }
             for i in 0..n {
                 next[i] = x[i] + step * direction[i];
             }
@@ -78,12 +81,20 @@ mod tests {
 
     #[test]
     fn it_finds_the_bottom_of_a_curved_valley() {
-        let mut x = [-1.2, 1.0];
-        minimise(&mut x, 200, |x, gradient| {
+        let valley = |x: &[f64], gradient: &mut [f64]| {
             let (a, b) = (1.0 - x[0], x[1] - x[0] * x[0]);
             gradient.copy_from_slice(&[-2.0 * a - 400.0 * x[0] * b, 200.0 * b]);
             a * a + 100.0 * b * b
-        });
+        };
+        let mut x = [-1.2, 1.0];
+        minimise(&mut x, [200, 1000], valley);
         assert!((x[0] - 1.0).abs() < 1e-2 && (x[1] - 1.0).abs() < 2e-2, "{x:?}");
+        // Nor is it called more often than allowed, and the value only falls.
+        let mut none = [0.0; 2];
+        for most in [1, 5, 20] {
+            let mut x = [-1.2, 1.0];
+            assert_eq!(minimise(&mut x, [200, most], valley), most);
+            assert!(valley(&x, &mut none) <= valley(&[-1.2, 1.0], &mut none));
+        }
     }
 }

@@ -42,6 +42,8 @@ pub struct GridMapper {
     sets: Vec<CreaseSet>,
     /// The set of the last map.
     current: usize,
+    /// What the last search left for its variations.
+    budget: Budget,
 }
 
 /// A prepared surface with its fields and seamless maps.
@@ -73,7 +75,8 @@ impl GridMapper {
     /// Maps of a surface.
     pub fn new(prepared: Prepared) -> GridMapper {
         let frames = Frames::new(&prepared.surface);
-        GridMapper { frames, sets: vec![CreaseSet::new(prepared, Vec::new())], current: 0 }
+        let budget = Budget::new(prepared.surface.triangles.len());
+        GridMapper { frames, sets: vec![CreaseSet::new(prepared, Vec::new())], current: 0, budget }
     }
 
     /// Computes map after map, for the weights of curvature and of directions (see
@@ -91,15 +94,15 @@ impl GridMapper {
     ) -> Result<(), MapFault> {
         self.current = 0;
         let mut level = 0;
-        let mut budget = Budget::new(self.sets[0].prepared.surface.triangles.len());
+        self.budget = Budget::new(self.sets[0].prepared.surface.triangles.len());
         while level < LEVELS {
-            let GridMapper { sets, frames, current } = self;
+            let GridMapper { sets, frames, current, budget } = self;
             let may_drop = *current < MOST_DROPS;
             let here = &mut sets[*current];
             here.relax(frames, level, [follow, direction], observer)?;
             // What is kept counts too: what was asked before changes nothing.
             budget.relax();
-            match here.round(frames, level, (wanted, may_drop), &mut budget, observer, visit)? {
+            match here.round(frames, level, (wanted, may_drop), budget, observer, visit)? {
                 Rounds::Enough => return Ok(()),
                 Rounds::Tried => level += 1,
                 Rounds::Creases(sides) => {
@@ -114,6 +117,29 @@ impl GridMapper {
             }
         }
         Ok(())
+    }
+
+    /// A variation of the last search, which must have ended at level 0: the first map for another number
+    /// of quads, with the same weights and creases. None if the budget of the search is spent, if more
+    /// creases are in the way, or if numbers are out of proportion.
+    pub(in crate::quads) fn vary(&mut self, wanted: f64) -> Option<(&Prepared, GridMap, MapNotes)> {
+        let GridMapper { sets, frames, current, budget } = self;
+        let mut own = budget.take_variation();
+        if own.is_spent() {
+            return None;
+        }
+        let here = &mut sets[*current];
+        let asked = (wanted, *current < MOST_DROPS);
+        let mut found = None;
+        let mut keep = |_: &Prepared, map, notes| {
+            found = Some((map, notes));
+            false
+        };
+        let rounds = here.round(frames, 0, asked, &mut own, &mut |_| (), &mut keep);
+        budget.give_back(own);
+        rounds.ok()?;
+        let (map, notes) = found?;
+        Some((&here.prepared, map, notes))
     }
 }
 

@@ -181,7 +181,8 @@ impl<'a> Untangling<'a> {
             }
             let regular = (1e-12 + 0.04 * least.min(0.0) * least.min(0.0)).sqrt();
             eps = if round == 0 { regular } else { regular.min(eps) };
-            let calls = minimise(&mut x, STEPS, |x, gradient| problem.energy(x, eps, gradient));
+            let most = [STEPS, budget.visits_of(patch.len())];
+            let calls = minimise(&mut x, most, |x, gradient| problem.energy(x, eps, gradient));
             budget.visit(calls * patch.len());
         }
         x.iter_mut().for_each(|value| *value = snapped(*value));

@@ -7,7 +7,11 @@ use crate::quads::{Boundary, Remeshed};
 use crate::scene::{Forecast, HowFar};
 use crate::words;
 use serde::Serialize;
+use std::cmp::Ordering;
 
+/// Panels are cut at the boundary without a wish if they then move less than this fraction as far: a
+/// forecast is within a third of the move, and whole panels are easier to build.
+const CUT_MOVES: f64 = 2.0 / 3.0;
 /// Points of the surface along the line of an edge.
 const LINE_POINTS: usize = 5;
 /// Radius of the ring around a place, in panels.
@@ -90,6 +94,16 @@ impl Layout {
     fn is_moved(&self) -> bool {
         let mut kinds = self.forecast.iter().flat_map(|forecast| &forecast.kinds);
         kinds.any(|kind| kind.how_far != HowFar::Nothing)
+    }
+
+    /// Whether these panels, cut at the boundary, are better than those that follow it: they leave fewer
+    /// faces as they are, or as many and move much less.
+    pub(super) fn is_better_than(&self, followed: &Layout) -> bool {
+        match self.remeshed.staying.cmp(&followed.remeshed.staying) {
+            Ordering::Less => true,
+            Ordering::Equal => self.move_length() < CUT_MOVES * followed.move_length(),
+            Ordering::Greater => false,
+        }
     }
 
     /// The largest mean move of the kinds of panels, in the unit of the mesh.

@@ -11,10 +11,6 @@ use crate::scene::SceneError;
 use std::cell::OnceCell;
 use std::rc::Rc;
 
-/// Panels are cut at the boundary without a wish if they then move less than this fraction as far: a
-/// forecast is within a third of the move, and whole panels are easier to build.
-const CUT_MOVES: f64 = 2.0 / 3.0;
-
 /// Radius of the ring around the place of a refusal, relative to the size of the shape.
 const RING: f64 = 0.03;
 
@@ -45,10 +41,13 @@ struct Best {
 
 impl Best {
     /// Says which choice was taken at the boundary, and what the other one comes to; none if one was
-    /// wished for, or nearly nothing moves.
+    /// wished for, nearly nothing moves, or there is no boundary.
     fn words(&self, units: &str) -> Option<String> {
-        let is_cut = self.layout.at_boundary() == Some(Boundary::Cut);
+        let is_cut = self.layout.at_boundary()? == Boundary::Cut;
         Some(match (self.other.as_ref()?, is_cut) {
+            (Ok(other), true) if other.remeshed.staying > self.layout.remeshed.staying => {
+                "The panels are cut at the boundary: along it, they would cover less".to_owned()
+            }
             (Ok(other), true) => {
                 let moves = other.moves(units);
                 format!("The panels are cut at the boundary: along it, they would {moves}")
@@ -169,7 +168,7 @@ impl PanelLayouts {
     }
 
     /// The layout with the wished choice at the boundary; without a wish, that with the better one, or
-    /// the only possible one.
+    /// the only possible one. Better is first of all the one that covers more.
     fn best(
         &mut self,
         options: &MapOptions,
@@ -177,15 +176,17 @@ impl PanelLayouts {
         observer: &mut RemeshObserver<'_>,
     ) -> Result<Best, RemeshError> {
         let first = self.layout(options, wished.unwrap_or_default(), observer);
-        let has_none = |layout: &Layout| layout.at_boundary().is_none();
-        let is_enough =
-            first.as_ref().is_ok_and(|layout| has_none(layout) || layout.hardly_moves());
+        let staying = self.remesher.as_ref().map_or(0, Remesher::staying);
+        let is_enough = first.as_ref().is_ok_and(|layout| {
+            layout.remeshed.staying <= staying
+                && (layout.at_boundary().is_none() || layout.hardly_moves())
+        });
         if wished.is_some() || !self.has_boundary || is_enough {
             return Ok(Best { layout: first?, other: None });
         }
         match (first, self.layout(options, Boundary::Cut, observer)) {
             (Err(error), Err(_)) => Err(error),
-            (Ok(layout), Ok(cut)) if cut.move_length() < CUT_MOVES * layout.move_length() => {
+            (Ok(layout), Ok(cut)) if cut.is_better_than(&layout) => {
                 Ok(Best { layout: cut, other: Some(Ok(layout)) })
             }
             (Ok(layout), cut) => Ok(Best { layout, other: Some(cut) }),
