@@ -7,7 +7,8 @@
 //! moves little, which may avoid a few folds), displacements are smoothed more, the start is the rest
 //! shape, or vertices are kept on the surface instead of at their places. None is left out because an
 //! earlier one collapsed or was not met, but none begins after [`MOST_WORK`]. If all fold faces or are
-//! not met, and the tolerance may be eased, it is: see [`Easing`].
+//! not met, and the tolerance may be eased, it is: see [`Easing`]. If that helps nowhere, it is eased
+//! with the settings of the attempt that had the fewest faults.
 //!
 //! Of two shapes one is taken for better only if it is so by a margin: results within rounding of
 //! each other do not change the choice. A scene that names an attempt is solved by that one alone.
@@ -35,6 +36,8 @@ const FEW: f64 = 0.01;
 /// less where a shape has been found that can be built.
 const MOST_WORK: u64 = 10_000_000;
 const MOST_WORK_ONCE_WHOLE: u64 = 4_000_000;
+/// The same for relaxed tolerances with other settings.
+const MOST_WORK_BEFORE_OTHER_SETTINGS: u64 = 15_000_000;
 
 /// The attempts of one run.
 #[derive(Debug)]
@@ -49,16 +52,24 @@ pub(crate) struct Attempts {
     first: Option<Outcome>,
     /// The best outcome, and its index in `tried`.
     best: Option<(usize, Outcome)>,
+    /// The settings of that attempt.
+    best_settings: ChosenAttempt,
     /// Whether less folded, or was smoother, with ten times the smoothness.
     smoothness_helps: bool,
     /// Whether the best shape with the required tolerance can be built.
     is_whole_without_easing: bool,
-    /// Number of faces of the mesh, and the mean edge at rest (unit of the mesh).
+    /// Number of faces of the mesh, its mean edge at rest, and that to judge the place of a shape by (unit
+    /// of the mesh).
     faces: usize,
+    mean_edge: f64,
     edge: f64,
+    /// Whether attempts may begin at rest.
+    can_begin_at_rest: bool,
     /// Attempts still to be tried before tolerances are eased, the next one last.
     others: Vec<Attempt>,
     easing: Option<Easing>,
+    /// Whether it has the settings of the best attempt.
+    has_other_settings: bool,
     work: u64,
 }
 
@@ -99,12 +110,16 @@ impl Attempts {
             tried: Vec::new(),
             first: None,
             best: None,
+            best_settings: ChosenAttempt::default(),
             smoothness_helps: false,
             is_whole_without_easing: false,
             faces,
+            mean_edge,
             edge,
+            can_begin_at_rest,
             others,
-            easing: eased.and_then(|asked| Easing::new(asked, mean_edge)),
+            easing: eased.and_then(|asked| Easing::new(asked, mean_edge, ChosenAttempt::default())),
+            has_other_settings: false,
             work: 0,
         }
     }
@@ -125,10 +140,16 @@ impl Attempts {
             // Of two that can be built, that with the required tolerance for most panels.
             let is_design = outcome.keeps_design() && !easing_all;
             self.keep(outcome, is_whole && (is_design || !self.is_whole_without_easing));
-            return next;
+            return next.or_else(|| self.ease_with_other_settings(around));
         }
         let is_better = self.is_better(outcome);
         self.keep(outcome, is_better);
+        if self.has_other_settings {
+            // As a run of the scene that names these settings would go on.
+            let easing = self.easing.as_mut().filter(|_| !outcome.is_whole())?;
+            easing.expect(around(&outcome.resisting()));
+            return Some(Attempt::Eased(easing.tolerances()));
+        }
         if let Attempt::Smoother(_) = self.now {
             self.smoothness_helps = self.is_fairer_than_first(outcome);
         }
@@ -154,6 +175,30 @@ impl Attempts {
         self.is_whole_without_easing = is_whole;
         let easing = self.easing.as_ref().filter(|_| !is_fine)?;
         Some(Attempt::Eased(easing.tolerances()))
+    }
+
+    /// Begins to ease tolerances with the settings of the best attempt, where they have been eased in vain
+    /// with those of the scene. A run of the scene that names the result makes the same attempts.
+    fn ease_with_other_settings(&mut self, around: &dyn Fn(&[u32]) -> Vec<u32>) -> Option<Attempt> {
+        let (settings, (_, best)) = (self.best_settings, self.best.as_ref()?);
+        let Search::Panels(asked) = self.search else { return None };
+        let is_in_vain = !best.is_whole() && !settings.is_first() && !self.has_other_settings;
+        let has_time = self.work <= MOST_WORK_BEFORE_OTHER_SETTINGS;
+        if !is_in_vain || !has_time || !self.can_begin_at_rest {
+            return None;
+        }
+        let mut easing = Easing::new(asked, self.mean_edge, settings)?;
+        self.has_other_settings = true;
+        let next = match settings.on_surface {
+            // That attempt began at its own soft solution.
+            true => {
+                easing.expect(around(&best.resisting()));
+                Attempt::Eased(easing.tolerances())
+            }
+            false => Attempt::SmootherFromSoft(settings.smoother),
+        };
+        self.easing = Some(easing);
+        Some(next)
     }
 
     /// Proceeds to an attempt; returns the previous one if it is the best so far.
@@ -184,6 +229,7 @@ impl Attempts {
         self.is_best = is_best;
         if is_best {
             self.best = Some((place, outcome.clone()));
+            self.best_settings = ChosenAttempt { from: AttemptStart::Soft, ..self.now.chosen() };
         }
     }
 
@@ -264,7 +310,7 @@ impl Attempts {
                 is_next && (!is_whole || flaws.contains(&Flaw::Rougher))
             }
             Attempt::OnSurface => !is_design || is_far(),
-            Attempt::FromSoft | Attempt::Eased(_) => true,
+            Attempt::FromSoft | Attempt::SmootherFromSoft(_) | Attempt::Eased(_) => true,
         }
     }
 
@@ -416,12 +462,38 @@ mod tests {
     #[test]
     fn tolerances_are_eased_last() {
         let all = press(&[folds(20), folds(20), folds(20), folds(20), folds(0)]);
-        let within = |within| Some(Attempt::Eased(Tolerances { within, eased: None }));
+        let settings = ChosenAttempt::default();
+        let within = |within| Some(Attempt::Eased(Tolerances { settings, within, eased: None }));
         let next: Vec<Option<Attempt>> = all.into_iter().map(|(_, next)| next).collect();
         let [ten, _] = SMOOTHER;
         assert_eq!(next, [ten, REST, SURFACE, within(0.04), within(0.004)]);
         let scene = follow(Search::Scene, &[folds(20), folds(20), folds(20)]);
         assert_eq!(scene[2], (false, None));
+    }
+
+    #[test]
+    fn where_easing_fails_it_has_the_settings_of_the_fewest_faults() {
+        // Two real meshes kept 5 and 22 folds, and could be eased with thirty times the smoothness.
+        let counts = [200, 50, 20, 190, 60, 180, 30, 0];
+        let all = press(&counts.map(folds));
+        let next: Vec<Option<Attempt>> = all.iter().map(|(_, next)| next.clone()).collect();
+        let [ten, thirty] = SMOOTHER;
+        let eased = |smoother, within| {
+            let settings = ChosenAttempt { smoother, ..ChosenAttempt::default() };
+            Some(Attempt::Eased(Tolerances { settings, within, eased: None }))
+        };
+        let from_soft = Some(Attempt::SmootherFromSoft(30.0));
+        let expected = [ten, thirty, REST, SURFACE, eased(1.0, 0.04), from_soft, eased(30.0, 0.04)];
+        assert_eq!(next[..7], expected);
+        assert_eq!((all[6].0, &all[7]), (false, &(true, eased(30.0, 0.004))));
+        // What slides has begun at its own soft solution.
+        let all = press(&[200, 200, 200, 20, 180, 0].map(folds));
+        let settings = ChosenAttempt { on_surface: true, ..ChosenAttempt::default() };
+        let slides = Attempt::Eased(Tolerances { settings, within: 0.04, eased: None });
+        assert_eq!(all[4], (false, Some(slides)));
+        // Without folds it is the result itself; no settings but those of the scene are no others.
+        assert_eq!(press(&[200, 50, 20, 190, 60, 180, 0].map(folds))[6], (true, None));
+        assert_eq!(press(&[200, 200, 200, 200, 200].map(folds))[4], (false, None));
     }
 
     #[test]
