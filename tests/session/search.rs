@@ -105,6 +105,8 @@ fn the_scene_that_a_press_leaves_gives_the_same_shape_everywhere() {
         ("dos_gnet1.obj", "circle"),
         ("halftunnel.off", "circle"),
         ("ggg_GGGPerf.obj", "plane"),
+        // Relaxed with thirty times the smoothness: with that of the scene, 40 panels fold.
+        ("ggg_GGGPerf.obj", "circle"),
     ];
     for &(name, kind) in long_or(&all[..], &all[..3]) {
         let Some(mesh) = shared::mesh(name) else { continue };

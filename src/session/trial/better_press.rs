@@ -5,7 +5,7 @@ use crate::mesh::Mesh;
 use crate::scene::{ClosenessTo, Scene, panel_adjective, panel_offers};
 use crate::session::edit::PanelStart;
 use crate::session::run::{BendChange, Flaw, Level};
-use crate::session::{Error, Session, Verdict};
+use crate::session::{EasedPanels, Error, Session, Verdict};
 use crate::words::{group_digits, length, limit_like};
 use serde::Serialize;
 
@@ -14,8 +14,9 @@ use serde::Serialize;
 const LARGER: [f64; 2] = [10.0, 50.0];
 const LARGEST: f64 = 0.15;
 
-/// A choice of the same level is better if the surface moves at most this fraction of the distance. It
-/// is offered if the panels also stay [`AS_MANY`].
+/// A choice of the same level is better if the surface moves at most this fraction of the distance, or at
+/// most this fraction of the panels has a relaxed tolerance. The former is offered if the panels also stay
+/// [`AS_MANY`].
 const NEARER: f64 = 0.6;
 
 /// At least this fraction of the panels within the tolerance stays so.
@@ -186,11 +187,11 @@ impl BetterPresses {
             return None;
         }
         let is_as_many = after.within as f64 >= AS_MANY * before.within as f64;
+        let is_nearer_with_as_many = is_nearer && is_as_many;
         let is_better = after.level < before.level
             || (after.level == before.level
-                && is_nearer
-                && is_as_many
-                && after.level != Level::Poor);
+                && after.level != Level::Poor
+                && (is_nearer_with_as_many || relaxes_fewer(before, after)));
         let (words, level, surface) = (self.words(press.id, after), after.level, after.surface.max);
         let better = BetterPress { words, level, surface, ..press };
         // A larger tolerance is offered beside a smaller one only if it ends better.
@@ -236,6 +237,17 @@ impl BetterPresses {
             None => moves,
         }
     }
+}
+
+/// Whether clearly fewer panels have a relaxed tolerance after a press than before it, and the surface is
+/// no farther away.
+fn relaxes_fewer(before: &Verdict, after: &Verdict) -> bool {
+    let Some(EasedPanels { panels, within }) = before.eased else { return false };
+    let left = after.eased.map_or(0, |eased| eased.panels);
+    // A tolerance for all panels that is larger than that of some is no gain.
+    after.tolerance < within
+        && left as f64 <= NEARER * panels as f64
+        && after.surface.max <= before.surface.max
 }
 
 /// Returns the presses to try, in order.
