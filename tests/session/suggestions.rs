@@ -160,6 +160,23 @@ fn better(mesh: Mesh, kind: &str) -> (Verdict, Vec<BetterPress>) {
 }
 
 #[test]
+fn what_is_offered_comes_out_when_it_is_pressed() {
+    let mesh = sheared(12, |x, y| 0.6 * x * y, 0.0, 0.0);
+    let (_, found) = better(mesh.clone(), "plane");
+    assert!(found.len() > 1, "{found:?}");
+    for offered in found {
+        let mut session = opened(mesh.clone());
+        press(&mut session, "plane");
+        session.make_panels(offered.kind, offered.within, offered.from).expect("it was tried");
+        run(&mut session, u32::MAX);
+        session.end_run();
+        let verdict = session.verdict(offered.within).expect("panels were asked for");
+        let ended = (verdict.level, verdict.surface.max);
+        assert_eq!(ended, (offered.level, offered.surface), "{}", offered.label);
+    }
+}
+
+#[test]
 fn a_larger_tolerance_is_tried_where_a_smaller_one_is_not_good() {
     // "Within 10 mm: the surface moves by 0.714 m" was offered, and 50 mm not tried.
     let Some(mesh) = shared::case("hypar_plain.obj") else { return };
