@@ -65,7 +65,7 @@ fn sheared_and_tapered_grids_are_met_without_folds() {
     // A soft solution that collapsed used to end the press: 70 of 324 such grids stopped so.
     let sizes: &[usize] = long_or(&[6, 8, 10, 12, 16, 24], &[8]);
     let turns: &[f64] = long_or(&[0.0, 0.2, 0.4, 0.6, 0.8, 1.0], &[0.4, 0.8]);
-    let mut unmet = Vec::new();
+    let (mut unmet, mut lost) = (Vec::new(), Vec::new());
     let mut count = 0;
     for &n in sizes {
         for (name, height) in SURFACES {
@@ -75,13 +75,17 @@ fn sheared_and_tapered_grids_are_met_without_folds() {
                     let Verdict { level, within, of, folded, .. } = press(&mut session, "circle");
                     count += 1;
                     if level == Level::Poor {
-                        unmet.push(format!("{name} {n} {shear} {taper}: {within}/{of}, {folded}"));
+                        let is_unmet = within < of || folded > 0;
+                        let list = if is_unmet { &mut unmet } else { &mut lost };
+                        list.push(format!("{name} {n} {shear} {taper}: {within}/{of}, {folded}"));
                     }
                 }
             }
         }
     }
-    assert!(unmet.len() * 50 <= count, "{} of {count}: {unmet:#?}", unmet.len());
+    assert!(unmet.is_empty(), "{} of {count}: {unmet:#?}", unmet.len());
+    // Those that are sheared most are met far from the design, and said to be: 34 of 324.
+    assert!(lost.len() * 9 <= count, "{} of {count}: {lost:#?}", lost.len());
 }
 
 /// Opens the scene that a session leaves, from its start, and solves it as another host would.
