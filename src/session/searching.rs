@@ -98,7 +98,7 @@ impl Session {
     /// Whether a later attempt begins with a soft solution of its own: that of other settings.
     fn softens(&self, attempt: &Attempt) -> bool {
         match attempt {
-            Attempt::OnSurface => true,
+            Attempt::OnSurface | Attempt::SmootherFromSoft(_) => true,
             Attempt::Smoother(_) => self.is_pulled(),
             _ => false,
         }
@@ -216,7 +216,7 @@ impl Session {
             Attempt::Exact if is_on_panels(row) => {
                 Required { require: Require::Exact, eased: None }
             }
-            Attempt::Eased(Tolerances { within, eased }) if self.eases(row) => {
+            Attempt::Eased(Tolerances { within, eased, .. }) if self.eases(row) => {
                 Required { require: Require::Within(*within), eased: eased.clone() }
             }
             _ => Required::of(row),
@@ -269,7 +269,7 @@ impl Session {
         farthest: f64,
     ) -> Option<Eased> {
         let Search::Panels(asked) = self.search else { return None };
-        let Tolerances { within, eased } = tolerances;
+        let Tolerances { within, eased, .. } = tolerances;
         let mut eased = eased
             .clone()
             .unwrap_or_else(|| EasedFaces { within: *within, ..EasedFaces::default() });

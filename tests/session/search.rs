@@ -65,7 +65,7 @@ fn sheared_and_tapered_grids_are_met_without_folds() {
     // A soft solution that collapsed used to end the press: 70 of 324 such grids stopped so.
     let sizes: &[usize] = long_or(&[6, 8, 10, 12, 16, 24], &[8]);
     let turns: &[f64] = long_or(&[0.0, 0.2, 0.4, 0.6, 0.8, 1.0], &[0.4, 0.8]);
-    let mut unmet = Vec::new();
+    let (mut unmet, mut lost) = (Vec::new(), Vec::new());
     let mut count = 0;
     for &n in sizes {
         for (name, height) in SURFACES {
@@ -75,13 +75,18 @@ fn sheared_and_tapered_grids_are_met_without_folds() {
                     let Verdict { level, within, of, folded, .. } = press(&mut session, "circle");
                     count += 1;
                     if level == Level::Poor {
-                        unmet.push(format!("{name} {n} {shear} {taper}: {within}/{of}, {folded}"));
+                        let is_unmet = within < of || folded > 0;
+                        let list = if is_unmet { &mut unmet } else { &mut lost };
+                        list.push(format!("{name} {n} {shear} {taper}: {within}/{of}, {folded}"));
                     }
                 }
             }
         }
     }
+    // Four of 24 by 24 quads, sheared and tapered most, keep folds.
     assert!(unmet.len() * 50 <= count, "{} of {count}: {unmet:#?}", unmet.len());
+    // Those that are sheared most are met far from the design, and said to be: 30 of 324.
+    assert!(lost.len() * 9 <= count, "{} of {count}: {lost:#?}", lost.len());
 }
 
 /// Opens the scene that a session leaves, from its start, and solves it as another host would.
@@ -105,6 +110,8 @@ fn the_scene_that_a_press_leaves_gives_the_same_shape_everywhere() {
         ("dos_gnet1.obj", "circle"),
         ("halftunnel.off", "circle"),
         ("ggg_GGGPerf.obj", "plane"),
+        // Relaxed with thirty times the smoothness: with that of the scene, 40 panels fold.
+        ("ggg_GGGPerf.obj", "circle"),
     ];
     for &(name, kind) in long_or(&all[..], &all[..3]) {
         let Some(mesh) = shared::mesh(name) else { continue };

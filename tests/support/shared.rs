@@ -27,7 +27,16 @@ fn bytes(name: &str) -> Option<Vec<u8>> {
 
 /// A mesh of `../shared/meshes`.
 pub(crate) fn mesh(file: &str) -> Option<Mesh> {
-    let bytes = bytes(&format!("meshes/{file}"))?;
+    read_in("meshes", file)
+}
+
+/// A mesh of `../shared/cases`.
+pub(crate) fn case(file: &str) -> Option<Mesh> {
+    read_in("cases", file)
+}
+
+fn read_in(folder: &str, file: &str) -> Option<Mesh> {
+    let bytes = bytes(&format!("{folder}/{file}"))?;
     Some(read(file, &bytes).expect("the meshes are valid").mesh)
 }
 

@@ -118,7 +118,8 @@ impl Verdict {
                 length(self.surface.max, scale.units)
             ),
             Flaw::OffBoundary => {
-                format!("The boundary moved by up to {}.", edges(self.boundary))
+                let far = length(self.boundary, scale.units);
+                format!("The boundary moved by up to {far}, {}.", edges(self.boundary))
             }
             Flaw::Short => {
                 format!(
@@ -297,7 +298,7 @@ mod tests {
                 Flaw::Moved,
                 "Panels slid by 10 % of an edge on average; the surface stays within 0.980 m. ",
             ),
-            (Flaw::OffBoundary, "The boundary moved by up to 22 % of an edge. All "),
+            (Flaw::OffBoundary, "The boundary moved by up to 0.110 m, 22 % of an edge. All "),
             (Flaw::Short, "The shortest edge has 80 % of its original length. All "),
             (Flaw::Eased, "All 800 "),
             (

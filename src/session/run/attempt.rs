@@ -38,6 +38,8 @@ pub(crate) enum Attempt {
     /// With the smoothness weight multiplied by this factor; where a handle pulls, from the soft
     /// solution with it.
     Smoother(f64),
+    /// The same, always from that soft solution.
+    SmootherFromSoft(f64),
     /// With the panels within these tolerances, in few iterations.
     Eased(Tolerances),
 }
@@ -50,7 +52,7 @@ impl Attempt {
             Attempt::FromRest => "Trying from the original shape …",
             Attempt::Exact => "Trying exact panels …",
             Attempt::OnSurface => "Trying vertices that slide along the surface …",
-            Attempt::Smoother(_) => "Trying a smoother shape …",
+            Attempt::Smoother(_) | Attempt::SmootherFromSoft(_) => "Trying a smoother shape …",
             Attempt::Eased(_) => "Trying relaxed tolerances …",
         }
     }
@@ -58,7 +60,9 @@ impl Attempt {
     /// Maximum number of iterations of the approach.
     pub(crate) fn iterations(&self) -> u32 {
         match self {
-            Attempt::FromSoft | Attempt::OnSurface => Requirements::ITERATIONS,
+            Attempt::FromSoft | Attempt::OnSurface | Attempt::SmootherFromSoft(_) => {
+                Requirements::ITERATIONS
+            }
             Attempt::Eased(_) => MOST_EASED_ITERATIONS,
             _ => MOST_ITERATIONS,
         }
@@ -66,15 +70,22 @@ impl Attempt {
 
     /// How the scene says that this attempt was chosen.
     pub(crate) fn chosen(&self) -> ChosenAttempt {
-        let from = match self {
-            Attempt::FromSoft | Attempt::OnSurface => AttemptStart::Soft,
-            Attempt::FromRest | Attempt::Smoother(_) => AttemptStart::Rest,
-            Attempt::Exact => AttemptStart::Exact,
-            Attempt::Eased(_) => AttemptStart::Eased,
-        };
-        let on_surface = *self == Attempt::OnSurface;
-        let smoother = if let Attempt::Smoother(times) = self { *times } else { 1.0 };
-        ChosenAttempt { from, smoother, on_surface, ..ChosenAttempt::default() }
+        let chosen = |from| ChosenAttempt { from, ..ChosenAttempt::default() };
+        match self {
+            Attempt::FromSoft => chosen(AttemptStart::Soft),
+            Attempt::FromRest => chosen(AttemptStart::Rest),
+            Attempt::Exact => chosen(AttemptStart::Exact),
+            Attempt::OnSurface => ChosenAttempt { on_surface: true, ..chosen(AttemptStart::Soft) },
+            Attempt::Smoother(smoother) => {
+                ChosenAttempt { smoother: *smoother, ..chosen(AttemptStart::Rest) }
+            }
+            Attempt::SmootherFromSoft(smoother) => {
+                ChosenAttempt { smoother: *smoother, ..chosen(AttemptStart::Soft) }
+            }
+            Attempt::Eased(Tolerances { settings, .. }) => {
+                ChosenAttempt { from: AttemptStart::Eased, ..*settings }
+            }
+        }
     }
 }
 

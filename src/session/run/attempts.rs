@@ -7,10 +7,14 @@
 //! moves little, which may avoid a few folds), displacements are smoothed more, the start is the rest
 //! shape, or vertices are kept on the surface instead of at their places. None is left out because an
 //! earlier one collapsed or was not met, but none begins after [`MOST_WORK`]. If all fold faces or are
-//! not met, and the tolerance may be eased, it is: see [`Easing`].
+//! not met, and the tolerance may be eased, it is: see [`Easing`]. If that helps nowhere, it is eased
+//! with the settings of the attempt that had the fewest faults.
 //!
 //! Of two shapes one is taken for better only if it is so by a margin: results within rounding of
 //! each other do not change the choice. A scene that names an attempt is solved by that one alone.
+
+#[cfg(test)]
+mod tests;
 
 use super::attempt::{Attempt, Search, Tried};
 use super::easing::Easing;
@@ -35,6 +39,8 @@ const FEW: f64 = 0.01;
 /// less where a shape has been found that can be built.
 const MOST_WORK: u64 = 10_000_000;
 const MOST_WORK_ONCE_WHOLE: u64 = 4_000_000;
+/// The same for relaxed tolerances with other settings.
+const MOST_WORK_BEFORE_OTHER_SETTINGS: u64 = 15_000_000;
 
 /// The attempts of one run.
 #[derive(Debug)]
@@ -49,16 +55,24 @@ pub(crate) struct Attempts {
     first: Option<Outcome>,
     /// The best outcome, and its index in `tried`.
     best: Option<(usize, Outcome)>,
+    /// The settings of that attempt.
+    best_settings: ChosenAttempt,
     /// Whether less folded, or was smoother, with ten times the smoothness.
     smoothness_helps: bool,
     /// Whether the best shape with the required tolerance can be built.
     is_whole_without_easing: bool,
-    /// Number of faces of the mesh, and the mean edge at rest (unit of the mesh).
+    /// Number of faces of the mesh, its mean edge at rest, and that to judge the place of a shape by (unit
+    /// of the mesh).
     faces: usize,
+    mean_edge: f64,
     edge: f64,
+    /// Whether attempts may begin at rest.
+    can_begin_at_rest: bool,
     /// Attempts still to be tried before tolerances are eased, the next one last.
     others: Vec<Attempt>,
     easing: Option<Easing>,
+    /// Whether it has the settings of the best attempt.
+    has_other_settings: bool,
     work: u64,
 }
 
@@ -99,12 +113,16 @@ impl Attempts {
             tried: Vec::new(),
             first: None,
             best: None,
+            best_settings: ChosenAttempt::default(),
             smoothness_helps: false,
             is_whole_without_easing: false,
             faces,
+            mean_edge,
             edge,
+            can_begin_at_rest,
             others,
-            easing: eased.and_then(|asked| Easing::new(asked, mean_edge)),
+            easing: eased.and_then(|asked| Easing::new(asked, mean_edge, ChosenAttempt::default())),
+            has_other_settings: false,
             work: 0,
         }
     }
@@ -125,10 +143,16 @@ impl Attempts {
             // Of two that can be built, that with the required tolerance for most panels.
             let is_design = outcome.keeps_design() && !easing_all;
             self.keep(outcome, is_whole && (is_design || !self.is_whole_without_easing));
-            return next;
+            return next.or_else(|| self.ease_with_other_settings(around));
         }
         let is_better = self.is_better(outcome);
         self.keep(outcome, is_better);
+        if self.has_other_settings {
+            // As a run of the scene that names these settings would go on.
+            let easing = self.easing.as_mut().filter(|_| !outcome.is_whole())?;
+            easing.expect(around(&outcome.resisting()));
+            return Some(Attempt::Eased(easing.tolerances()));
+        }
         if let Attempt::Smoother(_) = self.now {
             self.smoothness_helps = self.is_fairer_than_first(outcome);
         }
@@ -154,6 +178,30 @@ impl Attempts {
         self.is_whole_without_easing = is_whole;
         let easing = self.easing.as_ref().filter(|_| !is_fine)?;
         Some(Attempt::Eased(easing.tolerances()))
+    }
+
+    /// Begins to ease tolerances with the settings of the best attempt, where they have been eased in vain
+    /// with those of the scene. A run of the scene that names the result makes the same attempts.
+    fn ease_with_other_settings(&mut self, around: &dyn Fn(&[u32]) -> Vec<u32>) -> Option<Attempt> {
+        let (settings, (_, best)) = (self.best_settings, self.best.as_ref()?);
+        let Search::Panels(asked) = self.search else { return None };
+        let is_in_vain = !best.is_whole() && !settings.is_first() && !self.has_other_settings;
+        let has_time = self.work <= MOST_WORK_BEFORE_OTHER_SETTINGS;
+        if !is_in_vain || !has_time || !self.can_begin_at_rest {
+            return None;
+        }
+        let mut easing = Easing::new(asked, self.mean_edge, settings)?;
+        self.has_other_settings = true;
+        let next = match settings.on_surface {
+            // That attempt began at its own soft solution.
+            true => {
+                easing.expect(around(&best.resisting()));
+                Attempt::Eased(easing.tolerances())
+            }
+            false => Attempt::SmootherFromSoft(settings.smoother),
+        };
+        self.easing = Some(easing);
+        Some(next)
     }
 
     /// Proceeds to an attempt; returns the previous one if it is the best so far.
@@ -184,6 +232,7 @@ impl Attempts {
         self.is_best = is_best;
         if is_best {
             self.best = Some((place, outcome.clone()));
+            self.best_settings = ChosenAttempt { from: AttemptStart::Soft, ..self.now.chosen() };
         }
     }
 
@@ -264,7 +313,7 @@ impl Attempts {
                 is_next && (!is_whole || flaws.contains(&Flaw::Rougher))
             }
             Attempt::OnSurface => !is_design || is_far(),
-            Attempt::FromSoft | Attempt::Eased(_) => true,
+            Attempt::FromSoft | Attempt::SmootherFromSoft(_) | Attempt::Eased(_) => true,
         }
     }
 
@@ -284,217 +333,5 @@ impl Attempts {
     /// Number of faces folded by the first attempt.
     pub(crate) fn folded_at_first(&self) -> usize {
         self.first.as_ref().map_or(0, |first| first.measure.folded.len())
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::super::easing::Tolerances;
-    use super::super::outcome::Outcome;
-    use super::super::shape_measure::{Bend, BendChange, SurfaceDistance};
-    use super::*;
-
-    const EDGE: f64 = 1.0;
-
-    fn folds(count: u32) -> Outcome {
-        Outcome::of_test(&(0..count).collect::<Vec<_>>())
-    }
-
-    fn away(far: f64) -> Outcome {
-        let mut outcome = folds(0);
-        outcome.measure.surface = SurfaceDistance { rms: far, max: far };
-        outcome
-    }
-
-    fn bent(now: f64) -> Outcome {
-        let mut outcome = folds(0);
-        outcome.measure.bend = Bend { rest: 4.0, now, change: Some(BendChange::Rougher) };
-        outcome
-    }
-
-    fn flat(folded: u32) -> Outcome {
-        let mut outcome = folds(folded);
-        let change = Some(BendChange::Flatter);
-        outcome.measure.bend = Bend { rest: 4.0, now: 1.0, change };
-        outcome
-    }
-
-    fn attempts(search: Search, from: AttemptStart) -> Attempts {
-        let named = ChosenAttempt { from, ..ChosenAttempt::default() };
-        Attempts::new(search, named, [true; 4], 1000, [EDGE; 2])
-    }
-
-    /// The attempts that follow these `outcomes`, and whether each was the best so far.
-    fn follow(search: Search, outcomes: &[Outcome]) -> Vec<(bool, Option<Attempt>)> {
-        let mut attempts = attempts(search, AttemptStart::Soft);
-        let each = outcomes.iter().map(|outcome| {
-            let next = attempts.after(outcome, &|faces| faces.to_vec());
-            let is_best = attempts.is_best();
-            if let Some(next) = next.clone() {
-                attempts.begin(next);
-            }
-            (is_best, next)
-        });
-        each.collect()
-    }
-
-    fn press(outcomes: &[Outcome]) -> Vec<(bool, Option<Attempt>)> {
-        follow(Search::Panels(4e-4), outcomes)
-    }
-
-    const REST: Option<Attempt> = Some(Attempt::FromRest);
-    const EXACT: Option<Attempt> = Some(Attempt::Exact);
-    const SMOOTHER: [Option<Attempt>; 2] =
-        [Some(Attempt::Smoother(10.0)), Some(Attempt::Smoother(30.0))];
-    const SURFACE: Option<Attempt> = Some(Attempt::OnSurface);
-
-    #[test]
-    fn a_good_shape_ends_the_search() {
-        assert_eq!(press(&[folds(0)]), [(true, None)]);
-        let found = press(&[folds(20), folds(20), folds(0)]);
-        assert_eq!(found, [(true, SMOOTHER[0].clone()), (false, REST), (true, None)]);
-    }
-
-    #[test]
-    fn what_is_not_met_is_tried_in_all_ways() {
-        // It used to be tried once.
-        let unmet = |misses| Outcome { met: false, misses, ..folds(0) };
-        let all = press(&[unmet(8), unmet(4), unmet(4), unmet(4), folds(0)]);
-        let next: Vec<Option<Attempt>> = all.iter().map(|(_, next)| next.clone()).collect();
-        let [ten, thirty] = SMOOTHER;
-        assert_eq!(next, [ten, thirty, REST, SURFACE, None]);
-        let best: Vec<bool> = all.iter().map(|(is_best, _)| *is_best).collect();
-        assert_eq!(best, [true, true, false, false, true]);
-    }
-
-    #[test]
-    fn a_few_folds_may_go_where_panels_are_exact() {
-        let found = press(&[folds(10), folds(0)]);
-        assert_eq!(found, [(true, EXACT), (true, None)]);
-    }
-
-    #[test]
-    fn a_surface_that_moves_far_may_stay_where_vertices_slide() {
-        let found = press(&[away(0.4), away(0.38), away(0.1)]);
-        assert_eq!(found, [(true, REST), (false, SURFACE), (true, None)]);
-        // Shapes that are alike do not change the choice.
-        let found = press(&[away(0.4), away(0.39), away(0.35)]);
-        assert_eq!(found, [(true, REST), (false, SURFACE), (false, None)]);
-        // A run of a scene keeps its closeness.
-        assert_eq!(follow(Search::Scene, &[away(0.4)]), [(true, None)]);
-    }
-
-    #[test]
-    fn what_is_rough_may_become_fair_with_more_smoothness() {
-        let [ten, thirty] = SMOOTHER;
-        let found = press(&[bent(12.0), folds(0)]);
-        assert_eq!(found, [(true, ten.clone()), (true, None)]);
-        let found = press(&[bent(12.0), bent(9.0), bent(7.0)]);
-        assert_eq!(found, [(true, ten.clone()), (true, thirty), (true, SURFACE)]);
-        // If more smoothness hardly helps, even more is not tried.
-        assert_eq!(press(&[bent(12.0), bent(11.0)]), [(true, ten), (false, SURFACE)]);
-    }
-
-    #[test]
-    fn a_shape_without_folds_may_not_be_too_far_away() {
-        let folded_at = |far: f64| {
-            let mut outcome = away(far);
-            outcome.measure.folded = (0..20).collect();
-            outcome
-        };
-        let folded = folded_at(0.3);
-        assert_eq!(press(&[folded.clone(), away(0.8)])[1], (true, REST));
-        // One that is farther is the last resort: the search goes on for another.
-        let found = press(&[folded.clone(), away(1.0), folds(20), folds(20), folded.clone()]);
-        assert!(found[1].0 && matches!(found[4], (false, Some(Attempt::Eased(_)))), "{found:?}");
-        assert_eq!(press(&[folded, away(1.0), away(0.8)])[2], (true, REST));
-        // Within the limits of a good shape none is, though it is many times as far as the first.
-        let found = press(&[folded_at(1e-4), away(0.1)]);
-        assert_eq!(found, [(true, SMOOTHER[0].clone()), (true, None)]);
-    }
-
-    #[test]
-    fn tolerances_are_eased_last() {
-        let all = press(&[folds(20), folds(20), folds(20), folds(20), folds(0)]);
-        let within = |within| Some(Attempt::Eased(Tolerances { within, eased: None }));
-        let next: Vec<Option<Attempt>> = all.into_iter().map(|(_, next)| next).collect();
-        let [ten, _] = SMOOTHER;
-        assert_eq!(next, [ten, REST, SURFACE, within(0.04), within(0.004)]);
-        let scene = follow(Search::Scene, &[folds(20), folds(20), folds(20)]);
-        assert_eq!(scene[2], (false, None));
-    }
-
-    #[test]
-    fn some_larger_tolerances_are_better_than_another_design() {
-        let outcomes = [folds(20), flat(0), flat(0), flat(0), folds(0), folds(0), folds(0)];
-        let best: Vec<bool> = press(&outcomes).iter().map(|(is_best, _)| *is_best).collect();
-        // Only the last of them has the required tolerance.
-        assert_eq!(best, [true, true, false, false, false, false, true]);
-        // Where nothing folds, nothing is eased.
-        assert_eq!(press(&[flat(0), flat(0), flat(0)])[2], (false, None));
-    }
-
-    #[test]
-    fn what_is_listed_as_chosen_is_the_shape_that_is_kept() {
-        // A later step within larger tolerances was listed, though it was not taken.
-        let moved = |mut outcome: Outcome, far: f64| {
-            outcome.measure.moved.max = far;
-            outcome
-        };
-        let mut attempts = attempts(Search::Panels(4e-4), AttemptStart::Soft);
-        let before = [folds(20), flat(0), flat(0), flat(0), folds(0), folds(0), folds(1)];
-        for outcome in before.into_iter().chain([moved(folds(0), 0.1), moved(flat(0), 0.5)]) {
-            let next = attempts.after(&outcome, &|faces| faces.to_vec());
-            next.into_iter().for_each(|next| drop(attempts.begin(next)));
-        }
-        let (tried, chosen) = attempts.tried();
-        let listed = chosen.map(|place| (&*tried[place].name, tried[place].moved));
-        assert_eq!(listed, Some(("eased", 0.1)), "{tried:?}");
-    }
-
-    #[test]
-    fn where_the_tolerance_is_more_than_needed_the_rest_shape_is_another_start() {
-        let soft = Outcome { work: 0, ..folds(0) };
-        let near = Outcome { energy: 1.0, ..folds(0) };
-        assert_eq!(press(&[soft.clone(), near.clone()]), [(true, REST), (true, None)]);
-        // It is taken if it costs less, and folds no more.
-        let costly = Outcome { energy: 9.5, ..near };
-        assert_eq!(press(&[soft.clone(), costly]), [(true, REST), (false, None)]);
-        assert_eq!(press(&[soft, folds(1)])[1], (false, None));
-    }
-
-    #[test]
-    fn a_scene_is_run_as_it_was_solved() {
-        let first = |from, search| attempts(search, from).now;
-        let press = Search::Panels(4e-4);
-        assert_eq!(first(AttemptStart::Rest, Search::Scene), Attempt::FromRest);
-        assert_eq!(first(AttemptStart::Exact, Search::Scene), Attempt::Exact);
-        assert_eq!(first(AttemptStart::Rest, Search::Off), Attempt::FromSoft);
-        // The tolerance was eased because the first attempt folded.
-        let mut eased = attempts(press, AttemptStart::Eased);
-        assert_eq!(eased.now, Attempt::FromSoft);
-        let next = eased.after(&folds(3), &|faces| faces.to_vec());
-        assert!(matches!(next, Some(Attempt::Eased(_))), "{next:?}");
-        // The settings of the attempt are those of the scene: nothing is added to them.
-        let mut rest = attempts(Search::Scene, AttemptStart::Rest);
-        assert_eq!(rest.after(&folds(3), &|faces| faces.to_vec()), None);
-    }
-
-    #[test]
-    fn a_good_shape_is_taken_before_a_fair_one() {
-        let found = press(&[away(0.26), away(0.255), away(0.199)]);
-        assert_eq!(found, [(true, REST), (false, SURFACE), (true, None)]);
-        // At the limit, shapes that are alike do not change the choice.
-        let found = press(&[away(0.21), away(0.205), away(0.19)]);
-        assert_eq!(found, [(true, REST), (false, SURFACE), (false, None)]);
-    }
-
-    #[test]
-    fn nothing_else_is_tried_while_one_drags_or_where_nothing_may_differ() {
-        assert_eq!(follow(Search::Off, &[folds(10)]), [(true, None)]);
-        // Exact panels were tried so again, and then within larger tolerances.
-        let (search, named) = (Search::Panels(4e-4), ChosenAttempt::default());
-        let mut press = Attempts::new(search, named, [false; 4], 1000, [EDGE; 2]);
-        assert_eq!(press.after(&folds(3), &|faces| faces.to_vec()), None);
     }
 }

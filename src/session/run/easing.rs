@@ -8,7 +8,7 @@
 //! nothing folds.
 
 use super::outcome::Outcome;
-use crate::scene::EasedFaces;
+use crate::scene::{ChosenAttempt, EasedFaces};
 
 /// Factors of the required tolerance, in order, and its maximum relative to the mean edge.
 const STEPS: [f64; 3] = [100.0, 10.0, 1.0];
@@ -27,6 +27,8 @@ const MOST_EASED_WORK: u64 = 16_000_000;
 /// Tolerances of an attempt, in the unit of the mesh.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Tolerances {
+    /// The settings of the attempt: its smoothness, and whether vertices slide along the surface.
+    pub(crate) settings: ChosenAttempt,
     /// Tolerance of the panels that are not eased.
     pub(crate) within: f64,
     /// The eased faces and their tolerance.
@@ -36,6 +38,7 @@ pub(crate) struct Tolerances {
 /// The attempts within larger tolerances.
 #[derive(Debug)]
 pub(crate) struct Easing {
+    settings: ChosenAttempt,
     /// Tolerances still to be tried, the next one last.
     steps: Vec<f64>,
     now: f64,
@@ -52,14 +55,16 @@ pub(crate) struct Easing {
 }
 
 impl Easing {
-    /// Plans the steps to a required tolerance; none if every larger one is too large.
-    pub(crate) fn new(asked: f64, mean_edge: f64) -> Option<Easing> {
+    /// Plans the steps to a required tolerance, with these settings; none if every larger one is too
+    /// large.
+    pub(crate) fn new(asked: f64, mean_edge: f64, settings: ChosenAttempt) -> Option<Easing> {
         let steps = STEPS.map(|times| times * asked);
         let steps = steps.into_iter().filter(|&within| within <= LARGEST * mean_edge);
         let mut steps: Vec<f64> = steps.collect();
         steps.reverse();
         let largest = steps.pop().filter(|&largest| largest > asked)?;
         Some(Easing {
+            settings,
             steps,
             now: largest,
             largest,
@@ -85,7 +90,7 @@ impl Easing {
     pub(crate) fn tolerances(&self) -> Tolerances {
         let eased = (!self.faces.is_empty())
             .then(|| EasedFaces { within: self.of_eased, faces: self.faces.as_slice().into() });
-        Tolerances { within: self.now, eased }
+        Tolerances { settings: self.settings, within: self.now, eased }
     }
 
     /// Records the outcome of these tolerances. Returns whether they were met without folds, and
@@ -161,12 +166,16 @@ mod tests {
     }
 
     fn easing() -> Easing {
-        Easing::new(1e-3, 1.0).expect("there are larger ones")
+        Easing::new(1e-3, 1.0, ChosenAttempt::default()).expect("there are larger ones")
     }
 
     fn tolerances(within: f64, faces: &[u32]) -> Tolerances {
         let eased = EasedFaces { within: EASED * 0.1, faces: faces.into() };
-        Tolerances { within, eased: (!faces.is_empty()).then_some(eased) }
+        Tolerances {
+            settings: ChosenAttempt::default(),
+            within,
+            eased: (!faces.is_empty()).then_some(eased),
+        }
     }
 
     #[test]
@@ -211,6 +220,6 @@ mod tests {
         easing.take(&outcome(&[]), &around);
         let again = (0..100).take_while(|_| easing.take(&outcome(&[3]), &around).1).count();
         assert_eq!(again as u32, MOST_AGAIN);
-        assert!(Easing::new(1e-3, 1e-3).is_none());
+        assert!(Easing::new(1e-3, 1e-3, ChosenAttempt::default()).is_none());
     }
 }

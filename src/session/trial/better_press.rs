@@ -5,7 +5,7 @@ use crate::mesh::Mesh;
 use crate::scene::{ClosenessTo, Scene, panel_adjective, panel_offers};
 use crate::session::edit::PanelStart;
 use crate::session::run::{BendChange, Flaw, Level};
-use crate::session::{Error, Session, Verdict};
+use crate::session::{EasedPanels, Error, Session, Verdict};
 use crate::words::{group_digits, length, limit_like};
 use serde::Serialize;
 
@@ -14,8 +14,9 @@ use serde::Serialize;
 const LARGER: [f64; 2] = [10.0, 50.0];
 const LARGEST: f64 = 0.15;
 
-/// A choice of the same level is better if the surface moves at most this fraction of the distance. It
-/// is offered if the panels also stay [`AS_MANY`].
+/// A choice of the same level is better if the surface moves at most this fraction of the distance, or at
+/// most this fraction of the panels has a relaxed tolerance. The former is offered if the panels also stay
+/// [`AS_MANY`].
 const NEARER: f64 = 0.6;
 
 /// At least this fraction of the panels within the tolerance stays so.
@@ -146,8 +147,9 @@ impl BetterPresses {
     /// Begins the next trial.
     fn begin_next(&mut self) -> Result<bool, Error> {
         let Some(press) = self.untried.pop() else { return Ok(false) };
-        // The first that helps of its sort is enough: the smaller tolerance.
-        if self.found.iter().any(|found| found.id == press.id) {
+        // Where the smaller tolerance is good, a larger one is not needed.
+        let is_enough = |found: &BetterPress| found.id == press.id && found.level == Level::Good;
+        if self.found.iter().any(is_enough) {
             return Ok(!self.untried.is_empty());
         }
         let mut session = Session::open(self.scene.clone(), self.mesh.clone())?;
@@ -178,17 +180,29 @@ impl BetterPresses {
         let eases = after.eased.is_some() && before.eased.is_none() && before.level == Level::Fair;
         let roughens =
             after.flaws.contains(&Flaw::Rougher) && !before.flaws.contains(&Flaw::Rougher);
-        if eases || roughens {
+        // A design that was lost is not regained as far away, unless it was lost by becoming flat.
+        let was_lost = before.level == Level::Poor && before.is_met() && before.folded == 0;
+        let stays_lost = was_lost && !is_nearer && !self.stays_curved(after);
+        if eases || roughens || stays_lost {
             return None;
         }
         let is_as_many = after.within as f64 >= AS_MANY * before.within as f64;
+        let is_nearer_with_as_many = is_nearer && is_as_many;
         let is_better = after.level < before.level
             || (after.level == before.level
-                && is_nearer
-                && is_as_many
-                && after.level != Level::Poor);
+                && after.level != Level::Poor
+                && (is_nearer_with_as_many || relaxes_fewer(before, after)));
         let (words, level, surface) = (self.words(press.id, after), after.level, after.surface.max);
-        is_better.then_some(BetterPress { words, level, surface, ..press })
+        let better = BetterPress { words, level, surface, ..press };
+        // A larger tolerance is offered beside a smaller one only if it ends better.
+        let mut same = self.found.iter().filter(|found| found.id == better.id);
+        let is_best = same.all(|found| better.ends_better_than(found));
+        (is_better && is_best).then_some(better)
+    }
+
+    /// Whether a surface that became flatter is not so `after` another press.
+    fn stays_curved(&self, after: &Verdict) -> bool {
+        self.before.flaws.contains(&Flaw::Flatter) && !after.flaws.contains(&Flaw::Flatter)
     }
 
     /// Says what a press comes to.
@@ -199,6 +213,12 @@ impl BetterPresses {
         let moves = match id {
             _ if stays => "the surface stays as it is".to_owned(),
             "surface" => format!("panels slide, the surface stays within {far}"),
+            // Its distance alone does not say what is gained.
+            _ if self.stays_curved(after)
+                && after.surface.max > NEARER * self.before.surface.max =>
+            {
+                format!("the surface stays curved, and moves by {far}")
+            }
             _ => format!("the surface moves by {far}"),
         };
         let [within, of] = [after.within, after.of].map(group_digits);
@@ -217,6 +237,17 @@ impl BetterPresses {
             None => moves,
         }
     }
+}
+
+/// Whether clearly fewer panels have a relaxed tolerance after a press than before it, and the surface is
+/// no farther away.
+fn relaxes_fewer(before: &Verdict, after: &Verdict) -> bool {
+    let Some(EasedPanels { panels, within }) = before.eased else { return false };
+    let left = after.eased.map_or(0, |eased| eased.panels);
+    // A tolerance for all panels that is larger than that of some is no gain.
+    after.tolerance < within
+        && left as f64 <= NEARER * panels as f64
+        && after.surface.max <= before.surface.max
 }
 
 /// Returns the presses to try, in order.

@@ -80,6 +80,17 @@ test('one press makes an opened mesh circular, and a verdict shows how far it mo
   await expect(offer(page)).toBeHidden();
 });
 
+test('a mesh that has the shape already has a verdict, too', async ({ page }) => {
+  // The press waited for a transition to another shape, and its verdict was that of a run under way.
+  await openPage(page);
+  const gable = 'v 0 0 0\nv 4 0 0\nv 4 6 0\nv 0 6 0\nv 2 0 3\nv 2 6 3\nf 1 5 6 4\nf 5 2 3 6\n';
+  await openText(page, 'gable.obj', gable, 6);
+  await press(page, 'flat').click();
+  const solved = await waitForState(page, (now) => !now.running && now.verdict !== null);
+  expect(solved.verdict?.level).toBe('good');
+  expect(solved.moved?.max).toBe(0);
+});
+
 // The page remembers which rows were opened.
 test.describe('with every row closed', () => {
   test.use({ sameDocument: false });

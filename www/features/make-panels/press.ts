@@ -37,6 +37,9 @@ export async function makePanels(app: AppContext, kind: KindWords, how?: How) {
   // The fitted shapes are those of the final shape.
   if (arrived) show(false);
   const { ended, stop } = endOfRun(solver);
+  const shape = solver.geometry?.generation;
+  // A shape that stays as it is has no transition.
+  void ended.then(() => solver.geometry?.generation === shape && viewport.endTransition());
   if ((await actions.makePanels(kind.id, within, from)) === undefined) {
     stop();
     viewport.endTransition();
