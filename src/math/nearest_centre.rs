@@ -9,7 +9,7 @@
 //! gradient  mean (|w| - r) u,    Hessian  mean (u u^T + k (I - u u^T)),   k = 1 - r / |w|
 //! ```
 
-use crate::math::{Round, Symmetric3, Vec3};
+use crate::math::{Round, Symmetric3, Vec3, key_of_number, sort_by_number};
 
 /// Newton's method converges in some ten steps; in a third as many digits a step where the Hessian
 /// vanishes at the minimum, as for an arc of a great circle.
@@ -51,7 +51,7 @@ pub(super) fn nearest_centre(
     if best.0 > enough {
         let begun = search.starts().into_iter().map(|start| search.descend(start, FIRST_STEPS));
         let mut others: Vec<(f64, Vec3<f64>)> = begun.collect();
-        others.sort_by(|a, b| a.0.total_cmp(&b.0));
+        sort_by_number(&mut others, |other| key_of_number(other.0));
         others.truncate(FOLLOWED);
         for (_, start) in others {
             let found = search.descend(start, STEPS);

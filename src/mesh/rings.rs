@@ -2,7 +2,7 @@
 //! in the other direction, and back over the bridge.
 
 use super::Point;
-use crate::math::{Vec3, polygon_sides, twice_vector_area};
+use crate::math::{Vec3, polygon_sides, sort_by_number, twice_vector_area};
 use std::collections::BTreeSet;
 
 /// The sides of each ring of a face with so many sides, where `bridge` tells a bridge from its return;
@@ -27,7 +27,7 @@ pub(crate) fn rings_of<Key: PartialEq>(
         }
     }
     rings.extend(levels.pop());
-    rings.sort_by_key(|ring| ring.first().copied());
+    sort_by_number(&mut rings, |ring| ring.first().map_or(0, |&side| side as u64 + 1));
     levels.is_empty().then_some(rings)
 }
 

@@ -9,6 +9,7 @@ use super::build::Build;
 use super::panel::smallest_box_within;
 use super::paper::PaperModel;
 use super::report::{BuildReport, JOINT_STEP};
+use crate::math::{key_of_number, sort_by_number};
 use crate::scene::{BuildSettings, Product};
 use crate::words;
 use serde::Serialize;
@@ -71,7 +72,7 @@ impl Build {
             Some(SettingValue::Number(joint)) => joint,
             _ => 0.0,
         };
-        choices.sort_by(|a, b| joint(a).total_cmp(&joint(b)));
+        sort_by_number(&mut choices, |choice| key_of_number(joint(choice)));
         (!choices.is_empty()).then_some(Advice { words, choices })
     }
 

@@ -7,6 +7,7 @@ use crate::fabricate::boxes::Boxes;
 use crate::fabricate::panel::{direction_of, perimeter, sides};
 use crate::fabricate::sheet::Role;
 use crate::math::plane::{Point2, bounds, cross, distance, dot, minus};
+use crate::math::{key_of_number, sort_by_number};
 
 /// Lines nearer to each other than this, in mm, are one: no machine is more accurate, and rows of parts
 /// without a gap are up to 0.01 mm apart.
@@ -108,7 +109,7 @@ impl CutLines {
             return vec![[p, q]];
         }
         *is_shared = true;
-        cut.sort_by(|a, b| a[0].total_cmp(&b[0]));
+        sort_by_number(&mut cut, |piece| key_of_number(piece[0]));
         let (mut rest, mut done) = (Vec::new(), 0.0_f64);
         for [from, to] in cut.into_iter().chain([[length, length]]) {
             if from - done > SAME {

@@ -7,7 +7,7 @@
 //! next.
 
 use crate::fabricate::surface::PanelSurface;
-use crate::math::{Vec3, marked, polygon_sides};
+use crate::math::{Vec3, marked, polygon_sides, sort_by_number};
 use crate::mesh::components;
 use crate::scene::{HandleSpec, Hold, Scene, Up};
 use std::collections::VecDeque;
@@ -68,7 +68,10 @@ pub fn assembly_of_nodes(surface: &PanelSurface, rows: &[Vec<u32>], stand: &Stan
     for &f in rows.iter().flatten() {
         let mut own = surface.faces.row(f as usize).to_vec();
         let lowest = own.iter().map(|&v| height(v)).fold(f64::INFINITY, f64::min);
-        own.sort_by_key(|&v| if level > 0.0 { ((height(v) - lowest) / level) as u64 } else { 0 });
+        sort_by_number(&mut own, |&v| match level > 0.0 {
+            true => ((height(v) - lowest) / level) as u64,
+            false => 0,
+        });
         own.into_iter().for_each(&mut add);
     }
     (0..surface.positions.len() as u32).for_each(add);

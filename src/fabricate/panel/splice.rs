@@ -4,6 +4,7 @@
 
 use super::polygon::{are_apart, check_size, sides, smallest_box};
 use crate::math::plane::{Point2, area, bounds, distance, is_inside};
+use crate::math::sort_by_number;
 
 /// Most columns, and most rows.
 const MOST: usize = 6;
@@ -60,7 +61,7 @@ pub(in crate::fabricate) fn spliced(
 ) -> Option<Spliced> {
     let mut grids: Vec<[usize; 2]> =
         (1..=MOST).flat_map(|columns| (1..=MOST).map(move |rows| [columns, rows])).collect();
-    grids.sort_by_key(|[columns, rows]| columns * rows);
+    sort_by_number(&mut grids, |[columns, rows]| (columns * rows) as u64);
     let of_count = |equal: &[[usize; 2]]| {
         let all = equal.iter().filter_map(|&counts| {
             let own = Grid::new((outline, holes), counts, width, 0.5 * kerf).cut(&fits)?;

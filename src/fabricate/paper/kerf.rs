@@ -14,7 +14,7 @@
 use super::touching::{Contact, Outline, ROUNDING, SAME, Side, TOUCHING};
 use crate::fabricate::panel::direction_of;
 use crate::math::plane::{Point2, bounds, cross, distance, dot, minus, rotated};
-use crate::math::{cosine, sine};
+use crate::math::{cosine, key_of_number, sine, sort_by_number};
 
 /// Mitres end within this many halves of the kerf from their corner; sharper ones are cut off.
 const LONGEST: f64 = 2.5;
@@ -205,7 +205,7 @@ impl Line {
         let mut points: Vec<Point2> = Vec::new();
         for (corner, side) in of_corners.iter_mut().zip(&mut of_sides) {
             for own in [corner, side] {
-                own.sort_by(|a, b| a.0.total_cmp(&b.0));
+                sort_by_number(own, |place| key_of_number(place.0));
                 points.extend(own.iter().map(|(_, point)| *point));
             }
         }

@@ -331,7 +331,7 @@ fn joint_kinds(net: &PaperNet, pieces: &[u32], size: PaperSize) -> Vec<JointKind
         }
         let mut sides = joint.sides;
         // The piece that comes first is tried first.
-        sides.sort_by_key(|&side| (place[net.piece_of[side.0 as usize] as usize], side));
+        sides.sort_unstable_by_key(|&side| (place[net.piece_of[side.0 as usize] as usize], side));
         let taken = |side: FacetSide| -> Vec<[Point2; 4]> {
             let piece = net.piece_of[side.0 as usize];
             let near = added[place[piece as usize]].meeting(around(net, side, size.tab));

@@ -28,7 +28,7 @@ fn order(build: &Build) -> Vec<usize> {
         (beside.min().unwrap_or(u32::MAX), *k)
     };
     let mut sorted: Vec<usize> = (0..build.fins.len()).collect();
-    sorted.sort_by_key(first);
+    sorted.sort_unstable_by_key(first);
     let mut order = vec![0; sorted.len()];
     sorted.into_iter().zip(1..).for_each(|(k, number)| order[k] = number);
     order

@@ -4,7 +4,7 @@
 use super::origins::{Combinations, Edited, Origins};
 use super::parts_under::parts_under;
 use super::rebuild::regrouped;
-use crate::math::{Vec3, marked, mean};
+use crate::math::{Vec3, marked, mean, sort_by_number};
 use crate::mesh::topology::oriented_areas;
 use crate::mesh::{FaceTriangle, Mesh, Point, Ragged, Surface, Topology, Weld, components};
 use std::collections::HashMap;
@@ -78,7 +78,7 @@ impl Edited {
         let olds: Vec<Option<u32>> =
             vertices.iter().map(|(point, terms)| at_old(mesh, *point, terms)).collect();
         let mut order: Vec<usize> = (0..vertices.len()).collect();
-        order.sort_by_key(|&v| olds[v].map_or(u32::MAX, |old| old));
+        sort_by_number(&mut order, |&v| olds[v].unwrap_or(u32::MAX).into());
         let mut place = vec![0; vertices.len()];
         (0..).zip(&order).for_each(|(new, &v)| place[v] = new);
 

@@ -1,6 +1,6 @@
 //! Which part of a surface each part of its cover lies on.
 
-use crate::math::{Vec3, mean};
+use crate::math::{Vec3, mean, sort_by_number};
 use crate::mesh::{Point, Surface};
 use std::collections::{BTreeMap, BTreeSet};
 
@@ -46,7 +46,7 @@ pub(super) fn parts_under(
     let candidates: Vec<Vec<u32>> = candidates.collect();
     // Those without a choice take theirs first.
     let mut order: Vec<usize> = (0..parts.len()).collect();
-    order.sort_by_key(|&new| candidates[new].len());
+    sort_by_number(&mut order, |&new| candidates[new].len() as u64);
     let mut under = vec![None; parts.len()];
     let mut taken: BTreeSet<u32> = BTreeSet::new();
     for new in order {

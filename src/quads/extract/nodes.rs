@@ -6,7 +6,7 @@ use super::line::{
     GridPoint, across, directions_between, directions_left_of, is_grid_point, is_integral,
     orientation,
 };
-use crate::math::Vec3;
+use crate::math::{Vec3, key_of_number, sort_by_number};
 use crate::quads::grid_map::{GridMap, Side, Triangulation, UNIT};
 
 /// Where a point lies on the surface.
@@ -155,7 +155,7 @@ fn inside_side(surface: &Triangulation, map: &GridMap, side: Side, nodes: &mut V
                 }
             }
         }
-        found.sort_by(|x, y| x.0.total_cmp(&y.0));
+        sort_by_number(&mut found, |(share, _)| key_of_number(*share));
         found.into_iter().for_each(|(share, point)| add(point, share));
         return;
     }
@@ -170,7 +170,7 @@ fn inside_side(surface: &Triangulation, map: &GridMap, side: Side, nodes: &mut V
             (exact && is_grid_point(point)).then_some((share, point))
         })
         .collect();
-    found.sort_by(|x, y| x.0.total_cmp(&y.0));
+    sort_by_number(&mut found, |(share, _)| key_of_number(*share));
     found.into_iter().for_each(|(share, point)| add(point, share));
 }
 

@@ -2,6 +2,7 @@
 //! shifts over the cut, and the equations between them (Bommes, Zimmer and Kobbelt 2009).
 
 use super::elimination::{Elimination, Row};
+use crate::math::sort_by_number;
 use crate::quads::field::{Combed, Frames, argument};
 use crate::quads::surface::{Prepared, corner_classes};
 use crate::quads::{Side, Transition};
@@ -110,7 +111,7 @@ impl Seams {
                 }
                 *unknown = number[v];
             }
-            row.sort_by_key(|&(unknown, _)| unknown);
+            sort_by_number(&mut row, |&(unknown, _)| unknown.into());
             sums.push(row);
         }
         // How the two translations of the plane move each free unknown: a coordinate, since
@@ -148,7 +149,7 @@ pub(super) fn turned(quarter_turns: u8, axis: usize) -> (usize, f64) {
 fn pins(moves: &[[f64; 2]], is_integer: &[bool]) -> Vec<u32> {
     let both = |a: [f64; 2], b: [f64; 2]| a[0] * b[1] - a[1] * b[0];
     let mut order: Vec<usize> = (0..moves.len()).collect();
-    order.sort_by_key(|&k| !is_integer[k]);
+    sort_by_number(&mut order, |&k| (!is_integer[k]).into());
     let primitive = |m: [f64; 2]| m[0].abs() + m[1].abs() == 1.0;
     let first = order.iter().copied().find(|&k| primitive(moves[k]));
     let moved = |&k: &usize| moves[k][0].abs() + moves[k][1].abs() > 0.0;

@@ -3,7 +3,7 @@
 //! given before rounding again.
 
 use super::seams::{Seams, turned};
-use crate::math::Vec3;
+use crate::math::{Vec3, key_of_number, sort_by_number};
 use crate::quads::surface::Prepared;
 use crate::quads::{Side, Triangulation};
 use std::cell::RefCell;
@@ -81,7 +81,7 @@ pub(super) fn separations(
         }
     }
     // Both points of a pair find it.
-    found.sort_by(|a, b| a.distance.total_cmp(&b.distance));
+    sort_by_number(&mut found, |one| key_of_number(one.distance));
     let mut unique: Vec<Separation> = Vec::new();
     for one in found {
         let negative: Vec<(u32, f64)> = one.row.iter().map(|&(k, c)| (k, -c)).collect();

@@ -59,7 +59,7 @@ impl Trimming<'_> {
                 }
             }
         }
-        edges.sort_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
+        edges.sort_unstable_by(|x, y| x.0.total_cmp(&y.0).then(x.1.cmp(&y.1)));
         edges.dedup();
         edges.into_iter().map(|(_, ends)| ends).collect()
     }

@@ -1,6 +1,6 @@
 //! Places that the panels cannot follow, because the surface has details there smaller than a panel.
 
-use crate::math::{Cells, Vec3, mean};
+use crate::math::{Cells, Vec3, mean, sort_by_number};
 
 /// Places nearer to each other than this many panels are one.
 pub(in crate::quads) const NEAR: f64 = 2.5;
@@ -22,7 +22,8 @@ pub(in crate::quads) fn places(points: &[Vec3<f64>], near: f64) -> Vec<Vec3<f64>
         groups.push(group);
     }
     groups.retain(|group| !group.is_empty());
-    groups.sort_by_key(|group| std::cmp::Reverse(group.len()));
+    // The largest first.
+    sort_by_number(&mut groups, |group| !(group.len() as u64));
     groups.into_iter().map(|group| mean(group.into_iter().map(|k| points[k]))).collect()
 }
 

@@ -158,7 +158,7 @@ impl Chain {
                 (turn > CORNER).then_some((turn, k))
             })
             .collect();
-        candidates.sort_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
+        candidates.sort_unstable_by(|a, b| b.0.total_cmp(&a.0).then(a.1.cmp(&b.1)));
         let mut corners: Vec<usize> = Vec::new();
         for (_, k) in candidates {
             let apart = |&other: &usize| {

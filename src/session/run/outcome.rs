@@ -1,6 +1,7 @@
 //! The outcome of an attempt to meet hard constraints, and its grade: how good the shape is.
 
 use super::shape_measure::{BendChange, ShapeMeasure};
+use crate::math::{key_of_number, sort_by_number};
 use serde::Serialize;
 
 /// The level of a shape.
@@ -81,7 +82,8 @@ impl ShapeMeasure {
         let parts = self.parts(edge);
         let is_far = parts.iter().filter(|(_, part)| *part > 1.0);
         let mut far: Vec<(Flaw, f64)> = is_far.copied().collect();
-        far.sort_by(|(_, a), (_, b)| b.total_cmp(a));
+        // The largest part first.
+        sort_by_number(&mut far, |(_, part)| !key_of_number(*part));
         let eased = is_eased.then_some(Flaw::Eased);
         let bend = self.bend.change.map(|change| match change {
             BendChange::Rougher => Flaw::Rougher,
