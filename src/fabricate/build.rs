@@ -145,7 +145,7 @@ pub struct Build {
     pub left_out: LeftOut,
     /// Where the parts are on the sheets.
     pub layout: Layout,
-    /// Types of panels, as they are cut.
+    /// Types of panels, by their outlines as cut.
     pub types: Types,
     /// The beams, if fins are made and the surface has an outside.
     pub frame: Option<Frame>,

@@ -128,8 +128,8 @@ impl Build {
         found
     }
 
-    /// The types of the panels within a tolerance in mm of the building: as they are cut, if they are cut
-    /// singly.
+    /// The types of the panels within a tolerance in mm of the building: by their outlines as cut, if
+    /// they are cut singly.
     pub(super) fn panel_types(&self, tolerance: f64) -> Types {
         let setbacks = |f: usize| match self.settings.product {
             Product::Panels => self.setbacks(f, &self.settings),

@@ -94,9 +94,9 @@ impl Build {
         });
         let mut drawings: Vec<Drawing> = drawings.collect();
         if let Some((laid, spots, page)) = flat {
-            let title = format!(
-                "KEY {count}/{count}, NOT TO BE CUT, UNROLLED BY ROWS, SEEN FROM OUTSIDE{hidden}"
-            );
+            let side = if self.surface.one_sided.is_none() { ", SEEN FROM OUTSIDE" } else { "" };
+            let title =
+                format!("KEY {count}/{count}, NOT TO BE CUT, UNROLLED BY ROWS{side}{hidden}");
             let lines = [&laid.lines[..], &self.unrolled_seams(&laid, &seams)].concat();
             let (name, place) = (format!("key-{count}"), ([0.0; 2], laid.size));
             drawings.push(page.drawing((name, title), place, lines, (&spots, &marks)));

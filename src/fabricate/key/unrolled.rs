@@ -1,5 +1,5 @@
-//! The shape unrolled: the rows of panels in the order of assembly, the first at the bottom, each as strips of
-//! panels that lie flat side by side as seen from outside, with upwards upwards.
+//! The shape unrolled: the rows of panels in the order of assembly, the first at the bottom, each as
+//! strips of panels that lie flat side by side as seen from outside, with upwards upwards.
 //!
 //! In a strip each panel is joined to the one before it along their common edge. A strip ends where a panel
 //! has no neighbour that is left in its row, where the next one would lie on the strip, and where upwards has
@@ -12,7 +12,7 @@ use crate::fabricate::boxes::Boxes;
 use crate::fabricate::build::Build;
 use crate::fabricate::panel::{are_apart, direction_of};
 use crate::fabricate::paper::Motion;
-use crate::fabricate::sheet::{strokes, text_width};
+use crate::fabricate::sheet::text_width;
 use crate::fabricate::surface::PanelSurface;
 use crate::fabricate::view_axes::upwards_in;
 use crate::math::Vec3;
@@ -21,8 +21,6 @@ use std::collections::BTreeSet;
 
 /// Space between strips relative to the mean edge.
 const SPACE: f64 = 0.4;
-/// Height of the number of a row relative to the mean edge.
-const NUMBER: f64 = 0.4;
 /// Panels in a strip overlap if this much of one, about its middle, meets another: neighbours touch.
 const WITHIN: f64 = 0.99;
 /// The cosine of the angle by which upwards may turn along a strip.
@@ -59,7 +57,7 @@ pub(super) struct Unrolled {
     places: Vec<Option<Motion>>,
     /// Width and height of all, in the unit of the mesh. The lower left corner is the origin.
     pub(super) size: [f64; 2],
-    /// The outlines of the panels, and the numbers of the rows at their left.
+    /// The outlines of the panels.
     pub(super) lines: Vec<Vec<Point2>>,
 }
 
@@ -68,6 +66,7 @@ impl Build {
     fn strips_of_rows(&self, z_up: bool) -> Vec<Vec<Strip>> {
         let mut left = &self.rows[..];
         let mut found = Vec::new();
+        let mut place_of = vec![usize::MAX; self.surface.faces.len()];
         while let [row, rest @ ..] = left {
             let mut group = row.clone();
             left = rest;
@@ -77,18 +76,17 @@ impl Build {
                 group.extend(next);
                 left = beyond;
             }
-            found.push(self.strips_of(&group, z_up));
+            found.push(self.strips_of(&group, &mut place_of, z_up));
         }
         found
     }
 
-    /// The strips of some panels, in their order.
-    fn strips_of(&self, group: &[u32], z_up: bool) -> Vec<Strip> {
+    /// The strips of some panels, in their order. `place_of` has room for the place of every panel in it.
+    fn strips_of(&self, group: &[u32], place_of: &mut [usize], z_up: bool) -> Vec<Strip> {
         let mut open: BTreeSet<(usize, u32)> = (0..).zip(group.iter().copied()).collect();
         open.retain(|(_, f)| self.flat[*f as usize].is_some());
-        let mut place_of = vec![usize::MAX; self.surface.faces.len()];
+        // Of another group no place and panel are open together.
         open.iter().for_each(|&(place, f)| place_of[f as usize] = place);
-        let place_of = &place_of;
         let mut found = Vec::new();
         while let Some((_, first)) = open.pop_first() {
             let unmoved = Motion { turn: [1.0, 0.0], shift: [0.0; 2] };
@@ -132,8 +130,9 @@ impl Build {
         place_of: &[usize],
     ) -> Option<Next> {
         let sides = self.surface.sides.row(last as usize).iter();
-        let beyond = sides.flat_map(|&e| {
-            self.surface.others(e, last).map(move |other| (place_of[other as usize], e, other))
+        let beyond = sides.filter_map(|&e| {
+            let other = beside(&self.surface, e, last)?;
+            Some((place_of[other as usize], e, other))
         });
         let is_open = |(number, _, other): &(usize, u32, u32)| open.contains(&(*number, *other));
         let (number, e, next) = beyond.filter(is_open).min()?;
@@ -177,31 +176,24 @@ impl Build {
     pub(super) fn unrolled(&self, z_up: bool) -> Unrolled {
         let rows = self.strips_of_rows(z_up);
         let mean = self.surface.mean_edge();
-        let (space, tall) = (SPACE * mean, NUMBER * mean);
-        let left = text_width(&rows.len().to_string(), tall) + space;
+        let space = SPACE * mean;
         let widest = rows.iter().flatten().map(|strip| strip.size[0]).fold(0.0, f64::max);
         let wide = |row: &Vec<Strip>| row.iter().map(|strip| strip.size[0] + space).sum::<f64>();
         let longest = rows.iter().map(wide).fold(widest, f64::max);
-        let widths = std::iter::successors(Some(widest), |width| Some(width * WIDER));
+        let widths =
+            std::iter::successors((widest > 0.0).then_some(widest), |width| Some(width * WIDER));
         let widths = widths.take_while(|width| *width <= WIDER * longest);
         let scale = |width: f64| {
             let [width, height] = arranged(&rows, width, space).1;
-            let width = width + left;
             (PAPER / width.max(height)).min(1.0 / width.min(height))
         };
         let best =
             widths.reduce(|best, other| if scale(other) > scale(best) { other } else { best });
         let (at, size) = arranged(&rows, best.unwrap_or(widest), space);
         let (mut places, mut lines) = (vec![None; self.names.len()], Vec::new());
-        for ((row, at), number) in rows.iter().zip(&at).zip(1..) {
-            let middle = |strip: &Strip, low: f64| low + 0.5 * strip.size[1];
-            if let (Some(strip), Some(&[_, low])) = (row.first(), at.first()) {
-                let text = number.to_string();
-                let centre = [0.5 * text_width(&text, tall), middle(strip, low)];
-                lines.extend(strokes(&text, tall, centre, [1.0, 0.0]));
-            }
-            for (strip, &[x, y]) in row.iter().zip(at) {
-                let moved = Motion { turn: [1.0, 0.0], shift: [left + x, y] };
+        for (row, at) in rows.iter().zip(&at) {
+            for (strip, &shift) in row.iter().zip(at) {
+                let moved = Motion { turn: [1.0, 0.0], shift };
                 for (f, place) in &strip.panels {
                     let place = moved.after(place);
                     places[*f as usize] = Some(place);
@@ -214,7 +206,7 @@ impl Build {
                 }
             }
         }
-        Unrolled { places, size: [left + size[0], size[1]], lines }
+        Unrolled { places, size, lines }
     }
 
     /// Points in the plane of a panel, about the centre of the surface, where the panel is laid.
@@ -259,12 +251,18 @@ impl Build {
     }
 }
 
+/// The panel beside another one at an edge of two, which both pass in opposite directions.
+fn beside(surface: &PanelSurface, edge: u32, panel: u32) -> Option<u32> {
+    let both = surface.edges[edge as usize].panels;
+    both.into_iter().flatten().find(|&other| other != panel)
+}
+
 /// Whether most panels of a row have a common edge with another one of it, or there is only one.
 fn is_joined(surface: &PanelSurface, row: &[u32]) -> bool {
     let own: BTreeSet<u32> = row.iter().copied().collect();
     let is_beside = |&&f: &&u32| {
         let sides = surface.sides.row(f as usize);
-        sides.iter().any(|&e| surface.others(e, f).any(|other| own.contains(&other)))
+        sides.iter().any(|&e| beside(surface, e, f).is_some_and(|other| own.contains(&other)))
     };
     row.len() == 1 || 2 * row.iter().filter(is_beside).count() >= row.len()
 }

@@ -10,6 +10,8 @@ use crate::math::plane::{length, minus};
 
 /// The most distances between corners of a panel: of one with more, every so many offsets are taken.
 const MOST_DISTANCES: usize = 1_000_000;
+/// Setbacks that differ by less than this fraction of the largest distance are equal.
+const ROUNDING: f64 = 1e-9;
 
 /// Distances between the corners of a panel.
 struct Shape {
@@ -65,11 +67,12 @@ impl Alike for Shape {
                     true => (2 * n + shift - k - s - 1) % n,
                     false => (k + shift) % n,
                 };
+                // A side that is moved by more changes its ends by still more where corners are sharp.
                 let moved = |k: usize| (self.setbacks[k] - other.setbacks[there(0, k)]).abs();
-                let mut worst = (0..n).map(moved).fold(0.0, f64::max);
-                if worst > bound {
+                if (0..n).any(|k| moved(k) > ROUNDING * self.longest) {
                     continue;
                 }
+                let mut worst = 0.0_f64;
                 'all: for (i, s) in offsets(n).enumerate() {
                     for k in 0..n {
                         let there = there(s, k);
