@@ -1,11 +1,13 @@
 //! What the numbers of the tables and the letters on the sheets mean, for whoever has only the files.
 
 /// What is explained, and in which words.
-const READING: [(&str, &str); 40] = [
+const READING: [(&str, &str); 42] = [
     (
         "nodes.csv name",
         "the vertex of the model, from 0; if fins have names in the order of assembly, its place in it, from 1",
     ),
+    ("nodes.csv vertex", "of the model, from 0: the same for panels, fins and paper"),
+    ("types.csv type", "of panels whose outlines are cut alike; their holes and bevels can differ"),
     ("edges.csv panel_left", "seen from outside, on the way from node_a to node_b"),
     ("edges.csv fold_deg", "0 where panels are coplanar, more for a ridge seen from outside"),
     (

@@ -2,7 +2,7 @@
 
 use crate::fabricate::build::Build;
 use crate::fabricate::file::{Cell, Table};
-use crate::math::polygon_sides;
+use crate::math::{polygon_sides, sort_by_number};
 
 pub(super) fn edges(build: &Build) -> String {
     let mut table = Table::new(&[
@@ -57,14 +57,18 @@ pub(super) fn edges(build: &Build) -> String {
 }
 
 pub(super) fn nodes(build: &Build) -> String {
-    let mut table =
-        Table::new(&["name", "x_mm", "y_mm", "z_mm", "edges", "axis_x", "axis_y", "axis_z"]);
+    let mut table = Table::new(&[
+        "name", "x_mm", "y_mm", "z_mm", "edges", "axis_x", "axis_y", "axis_z", "vertex",
+    ]);
     let building = build.mm_of_building();
     let mut degrees = vec![0_usize; build.surface.positions.len()];
     for edge in build.surface.real_edges() {
         edge.ends.iter().for_each(|&v| degrees[v as usize] += 1);
     }
-    for (v, degree) in degrees.into_iter().enumerate().filter(|(_, degree)| *degree > 0) {
+    let mut used: Vec<(usize, usize)> = degrees.into_iter().enumerate().collect();
+    used.retain(|(_, degree)| *degree > 0);
+    sort_by_number(&mut used, |&(v, _)| build.nodes[v].into());
+    for (v, degree) in used {
         let at = (build.surface.positions[v] + build.surface.centre) * building;
         let axis = build.offset.as_ref().map(|(axes, _)| axes.axes[v]);
         table.row([
@@ -76,6 +80,7 @@ pub(super) fn nodes(build: &Build) -> String {
             Cell::from(axis.map(|axis| axis.x)),
             Cell::from(axis.map(|axis| axis.y)),
             Cell::from(axis.map(|axis| axis.z)),
+            Cell::from(v),
         ]);
     }
     table.into_text()

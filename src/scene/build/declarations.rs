@@ -90,7 +90,7 @@ const NAMES: BuildForm = choice(&[
     option(
         "assembly",
         "In order of assembly",
-        "A1, A2 ... on the supports, B1 ... above; with fins, nodes too",
+        "A1, A2 ... on the supports, B1 ... above; with fins, nodes N1, N2 ... too",
     ),
 ]);
 const DXF: BuildForm =
