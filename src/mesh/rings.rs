@@ -64,9 +64,10 @@ pub(crate) fn with_holes(face: &[u32], positions: &[Point]) -> Option<Vec<u32>> 
     Some(found)
 }
 
-/// The sides around the holes of a face, in its direction.
+/// The sides around the holes of a face that visits vertices twice, in its direction: all, where it is not
+/// known which they are.
 pub(crate) fn sides_of_holes(face: &[u32], positions: &[Point]) -> Vec<[u32; 2]> {
-    let Some(face) = with_holes(face, positions) else { return Vec::new() };
+    let Some(face) = with_holes(face, positions) else { return polygon_sides(face).collect() };
     let holes = rings(&face).into_iter().flatten().skip(1).flatten();
     holes.map(|k| [face[k], face[(k + 1) % face.len()]]).collect()
 }

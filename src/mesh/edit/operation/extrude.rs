@@ -72,8 +72,8 @@ fn mitre(directions: &[Vec3<f64>]) -> Vec3<f64> {
     along * (1.0 / reach.max(0.5))
 }
 
-/// Returns the picked sides, without those of windows in a face. Both ends of one without a direction are of one fan, so that they go where
-/// its neighbours do.
+/// Returns the picked sides, without those of windows in a face. Both ends of one without a direction are
+/// of one fan, so that they go where its neighbours do.
 fn open_sides(task: &Task<'_>, topology: &Topology) -> Vec<Open> {
     let mesh = task.mesh;
     let is_picked = task.picked_vertices();
