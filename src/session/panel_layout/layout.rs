@@ -84,8 +84,13 @@ impl Layout {
         (self.remeshed.measures.loops > 0).then_some(self.boundary)
     }
 
-    /// Whether panels will hardly move to become circular or flat.
-    pub(super) fn hardly_moves(&self) -> bool {
+    /// Whether no other choice at the boundary moves clearly less: there is none, or panels will hardly
+    /// move to become circular or flat.
+    pub(super) fn is_enough(&self) -> bool {
+        self.at_boundary().is_none() || self.hardly_moves()
+    }
+
+    fn hardly_moves(&self) -> bool {
         let kinds = self.forecast.iter().flat_map(|forecast| &forecast.kinds);
         kinds.into_iter().all(|kind| matches!(kind.how_far, HowFar::Nothing | HowFar::Hardly))
     }
@@ -104,6 +109,11 @@ impl Layout {
             Ordering::Equal => self.move_length() < CUT_MOVES * followed.move_length(),
             Ordering::Greater => false,
         }
+    }
+
+    /// Whether these panels leave fewer faces as they are than others.
+    pub(super) fn covers_more_than(&self, other: &Layout) -> bool {
+        self.remeshed.staying < other.remeshed.staying
     }
 
     /// The largest mean move of the kinds of panels, in the unit of the mesh.

@@ -45,8 +45,11 @@ impl Best {
     fn words(&self, units: &str) -> Option<String> {
         let is_cut = self.layout.at_boundary()? == Boundary::Cut;
         Some(match (self.other.as_ref()?, is_cut) {
-            (Ok(other), true) if other.remeshed.staying > self.layout.remeshed.staying => {
+            (Ok(other), true) if self.layout.covers_more_than(other) => {
                 "The panels are cut at the boundary: along it, they would cover less".to_owned()
+            }
+            (Ok(other), false) if self.layout.covers_more_than(other) => {
+                "The panels follow the boundary: cut at it, they would cover less".to_owned()
             }
             (Ok(other), true) => {
                 let moves = other.moves(units);
@@ -177,15 +180,21 @@ impl PanelLayouts {
     ) -> Result<Best, RemeshError> {
         let first = self.layout(options, wished.unwrap_or_default(), observer);
         let staying = self.remesher.as_ref().map_or(0, Remesher::staying);
-        let is_enough = first.as_ref().is_ok_and(|layout| {
-            layout.remeshed.staying <= staying
-                && (layout.at_boundary().is_none() || layout.hardly_moves())
-        });
+        let is_enough = first
+            .as_ref()
+            .is_ok_and(|layout| layout.is_enough() && layout.remeshed.staying <= staying);
         if wished.is_some() || !self.has_boundary || is_enough {
             return Ok(Best { layout: first?, other: None });
         }
         match (first, self.layout(options, Boundary::Cut, observer)) {
             (Err(error), Err(_)) => Err(error),
+            // It was asked for only because it could cover more.
+            (Ok(layout), cut)
+                if layout.is_enough()
+                    && !cut.as_ref().is_ok_and(|cut| cut.covers_more_than(&layout)) =>
+            {
+                Ok(Best { layout, other: None })
+            }
             (Ok(layout), Ok(cut)) if cut.is_better_than(&layout) => {
                 Ok(Best { layout: cut, other: Some(Ok(layout)) })
             }

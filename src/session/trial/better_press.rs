@@ -244,8 +244,10 @@ impl BetterPresses {
 fn relaxes_fewer(before: &Verdict, after: &Verdict) -> bool {
     let Some(EasedPanels { panels, within }) = before.eased else { return false };
     let left = after.eased.map_or(0, |eased| eased.panels);
-    // A tolerance for all panels that is larger than that of some is no gain.
+    // A tolerance for all panels that is larger than that of some is no gain, and another flaw is none.
     after.tolerance < within
+        && after.eased.is_none_or(|eased| eased.within <= within)
+        && after.flaws.iter().all(|flaw| before.flaws.contains(flaw))
         && left as f64 <= NEARER * panels as f64
         && after.surface.max <= before.surface.max
 }
