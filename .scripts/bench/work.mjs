@@ -88,10 +88,10 @@ export function workOf({ kind, sizes, without }) {
 /** What the machine does in a millisecond, measured once. */
 let rates;
 
-/** The milliseconds to move and to compute what a part has. */
+/** The milliseconds to move and to compute what a part has. Divisions have a unit of their own. */
 const limitOf = (work, { bytes, single, double, divisions }) => ({
   moved: work.bytes / bytes,
-  computed: work.single / single + work.double / double + work.divisions / divisions,
+  computed: Math.max(work.single / single + work.double / double, work.divisions / divisions),
 });
 
 /** Measures the limits of a problem beside the measured times of its iteration in the browser. */
@@ -166,6 +166,6 @@ export function reasons(rows) {
       own.map(({ vertices }) => vertices),
       limits.map((limit) => limit.times),
     ];
-    return `${name} with ${range(sizes, number)} vertices takes ${range(times, number)} times its limit. Of its time: ${texts.join(', ')}.`;
+    return `${name} with ${sizes.map(number).join(', ')} vertices takes ${range(times, number)} times its limit. Of its time: ${texts.join(', ')}.`;
   });
 }
