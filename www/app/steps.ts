@@ -32,9 +32,6 @@ export function followSteps(store: Store) {
     const open = levels.filter((level) => level.open).map(({ id }) => id);
     setItem(OPEN, JSON.stringify(open));
   };
-  const openAll = () => {
-    for (const step of STEPS) placeOf(step).open = true;
-  };
   const wide = () => STEPS.filter((step) => placeOf(step).open);
   /** Tells which steps are in sight. */
   const tell = () => {
@@ -43,6 +40,12 @@ export function followSteps(store: Store) {
     const inTab = document.body.dataset.sheet === 'open' ? [step] : [];
     store.set({ openSteps: isTab ? inTab : wide() });
   };
+  /** Opens a step. That is told at once: the event comes later. */
+  const show = (step: Step) => {
+    placeOf(step).open = true;
+    tell();
+  };
+  const openAll = () => STEPS.forEach(show);
   // It does not bubble.
   for (const told of [remember, tell]) panel.addEventListener('toggle', told, true);
   /** What was open when the window became narrow. */
@@ -70,7 +73,7 @@ export function followSteps(store: Store) {
     if (state.running) run = state.model;
     if (!state.document || nextStep(state) === next) return;
     next = nextStep(state);
-    if (run === state.model) placeOf(next === 'build' ? 'build' : 'shape').open = true;
+    if (run === state.model) show(next === 'build' ? 'build' : 'shape');
   });
   // A lesson says what to do; the button of its dialog is farther down.
   let hadLesson = false;
@@ -80,19 +83,19 @@ export function followSteps(store: Store) {
     const isNew = document.lesson !== null && !hadLesson;
     hadLesson = document.lesson !== null;
     if (!isNew) return;
-    placeOf('open').open = true;
+    show('open');
     panel.scrollTo(0, 0);
   });
   // What can be done with a selection is there.
   let wasEmpty = true;
   store.subscribe(['selection'], ({ selection }) => {
     const isEmpty = sizeOfSelection(selection) === 0;
-    if (wasEmpty && !isEmpty) placeOf('move').open = true;
+    if (wasEmpty && !isEmpty) show('move');
     wasEmpty = isEmpty;
   });
   // Something has to be opened.
   store.subscribe(['nothingOpen'], ({ nothingOpen }) => {
-    if (nothingOpen) placeOf('open').open = true;
+    if (nothingOpen) show('open');
   });
   // Opens the step for a mesh with problems, and once for each file whose unit or axis was guessed.
   const asked: WeakSet<object> = new WeakSet();
@@ -101,7 +104,7 @@ export function followSteps(store: Store) {
     const { units, up } = frameOf(store.get()).guessed;
     const asks = (units || up) && !asked.has(model.guessed);
     asked.add(model.guessed);
-    if (asks || model.problems.length > 0) placeOf('open').open = true;
+    if (asks || model.problems.length > 0) show('open');
   });
   tabs(store, panel, tell);
 }

@@ -3,7 +3,7 @@
  * such a shape is exported.
  */
 
-import { useEffect } from 'preact/hooks';
+import { useLayoutEffect } from 'preact/hooks';
 import { isLocked } from '../store/panels-card.ts';
 import { showDialog, type InDialog } from '../store/show-dialog.tsx';
 import { untilChanged } from '../store/until-changed.ts';
@@ -45,8 +45,8 @@ export const askToExport = oneAtATime(askOnce);
 function askOnce(app: AppContext, collapse: string): Promise<boolean> {
   return new Promise((resolve) => {
     function Question({ close }: InDialog) {
-      // However it is closed.
-      useEffect(() => () => resolve(false), []);
+      // However it is closed, and however soon.
+      useLayoutEffect(() => () => resolve(false), []);
       const anyway = () => {
         resolve(true);
         close();

@@ -36,7 +36,8 @@ function Note({ example: { id, figure, summary, statement, plots, kinds } }: { e
           class="bordered small"
           onClick={() => {
             app.actions.look({ plot });
-            performNamed('show-plots', app);
+            // Once the plot is there.
+            queueMicrotask(() => performNamed('show-plots', app));
           }}
         >
           {label}

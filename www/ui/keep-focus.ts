@@ -24,5 +24,15 @@ export function keepFocus(place: HTMLElement) {
     next.focus({ preventScroll: true });
   }
   const changes = new MutationObserver(() => (timer ||= window.setTimeout(look, LATER_MS)));
-  changes.observe(document.body, { attributes: true, childList: true, subtree: true });
+  // Those that can hide or disable what has the focus.
+  const attributeFilter = [
+    'hidden',
+    'disabled',
+    'open',
+    'inert',
+    'class',
+    'data-step',
+    'data-sheet',
+  ];
+  changes.observe(document.body, { attributeFilter, childList: true, subtree: true });
 }

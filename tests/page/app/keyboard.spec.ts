@@ -4,6 +4,7 @@ import type { Page } from '@playwright/test';
 import { file, wavyGrid } from '../meshes.ts';
 import {
   boxOf,
+  drawn,
   expect,
   openPage,
   positionOf,
@@ -371,14 +372,13 @@ test('on a French keyboard letters work by character and digits by key position'
 
 test('Home on a slider moves it to its start, and the camera stays', async ({ page }) => {
   await openPage(page);
-  const camera = await page.evaluate(() => {
-    const { shapeUp } = window;
-    shapeUp.look((shapeUp.camera() ?? []).map((value, k) => (k === 0 ? value + 0.1 : value)));
-    return shapeUp.camera();
-  });
+  await page.getByRole('application', { name: '3D view' }).press('PageUp');
+  await drawn(page);
+  const camera = await page.evaluate(() => window.shapeUp.camera());
   const slider = page.locator('input[type="range"]:visible').first();
   await slider.press('Home');
   expect(await slider.evaluate((own: HTMLInputElement) => own.value === own.min)).toBe(true);
+  await drawn(page);
   expect(await page.evaluate(() => window.shapeUp.camera())).toEqual(camera);
 });
 

@@ -13,6 +13,7 @@ import {
   looks,
   openPage,
   screenOf,
+  settled,
   state,
   test,
   waitForState,
@@ -32,6 +33,17 @@ test('a mesh opens with a report of its errors', async ({ page }) => {
   await expect(page.getByRole('status')).toHaveText(/roof\.obj: 25 vertices, 16 faces/);
   await showStep(page, 'Shape');
   await expect(page.getByText('1 kind of problem in the file')).toBeVisible();
+});
+
+test('problems open the step that lists them, and are said there only', async ({ page }) => {
+  await openPage(page);
+  await page.locator('#step-open > summary').click();
+  await expect(page.locator('#step-open')).not.toHaveAttribute('open');
+  const fins = 'v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 -1 0\nf 1 2 3\nf 1 2 4\nf 1 2 5\n';
+  await openText(page, 'fins.obj', fins, 5);
+  await expect(page.getByText(/problems? in the file/)).toBeVisible();
+  await settled(page);
+  await expect(page.getByRole('alert')).not.toContainText('see Open or make');
 });
 
 test('a mesh without faces opens too', looks, async ({ page }) => {
