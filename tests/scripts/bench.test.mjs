@@ -145,7 +145,7 @@ test('it is said where the time is that is above twice the limit', () => {
     { problem: 'E' },
   ]);
   assert.deepEqual(said, [
-    'A with 500 to 900 vertices takes 2.50 to 3 times its limit. Of its time: global step 50 to 60 % (4 times its own limit), projections 30 to 40 % (2.50 times its own limit).',
+    'A with 500, 900 vertices takes 2.50 to 3 times its limit. Of its time: global step 50 to 60 % (4 times its own limit), projections 30 to 40 % (2.50 times its own limit).',
   ]);
 });
 
