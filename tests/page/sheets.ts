@@ -30,6 +30,13 @@ export async function settingOf(page: Page, name: string) {
   return field;
 }
 
+/** Enters a number into a field and leaves the field. */
+export async function setField(page: Page, label: string, value: number) {
+  const field = await settingOf(page, label);
+  await field.fill(String(value));
+  await field.press('Tab');
+}
+
 /** The files of an archive by name. */
 export const filesOf = (bytes: Uint8Array) =>
   Object.fromEntries(
