@@ -63,7 +63,7 @@ A MESH is solved with settings that preserve its shape, a scene with its own.
 --trace records the energies of every iteration, in the report and on standard output.
 watch solves again whenever the file is saved, until it is stopped: the program that reads --out then has
 the shape of what it saved. Of a FOLDER each mesh that is saved there is solved, into a file of its name
-in another folder.
+in another folder, with .obj after it if its format is only read.
 build lays panels, fins along the edges, or a paper model of strips or nets flat on sheets, and checks
 whether offsets and beams can be built; --out is the folder for drawings of the sheets (SVG, DXF, PDF),
 of where each part goes (key-*.svg, key.pdf), tables (CSV), a presentation ({}), and the panels by

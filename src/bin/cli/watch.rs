@@ -39,12 +39,12 @@ pub(super) fn watch(command: &Solve) -> Result<(), Failure> {
     }
 }
 
-/// Solves each mesh of a folder, and those that are saved there later, into a file of its name in another
-/// folder.
+/// Solves each mesh of a folder, and those that are saved there later, into a file of another folder. As
+/// with one file, what is gone for a while, such as the folder of a server, is waited for.
 fn watch_folder(command: &Solve) -> Result<(), Failure> {
     let folder = &command.input;
     let refused = |words: &str| Failure::Usage(format!("watch of a folder {words}"));
-    let out = command.out.as_ref().ok_or_else(|| refused("needs --out, another folder"))?;
+    let Some(out) = &command.out else { return Err(refused("needs --out, another folder")) };
     if command.report.is_some() {
         return Err(refused("takes no --report, which is of one file"));
     }
@@ -57,8 +57,9 @@ fn watch_folder(command: &Solve) -> Result<(), Failure> {
         return Err(refused("needs --out, another folder: it would replace what is read"));
     }
     let mut files: BTreeMap<String, Watched> = BTreeMap::new();
+    meshes_in(folder).map_err(|error| at(folder, &error))?;
     loop {
-        for name in meshes_in(folder).map_err(|error| at(folder, &error))? {
+        for name in meshes_in(folder).unwrap_or_default() {
             let input = folder.join(&name);
             let out = out.join(written_as(&name));
             let own = || Watched::new(Solve { input, out: Some(out), ..command.clone() });
