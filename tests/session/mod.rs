@@ -20,6 +20,7 @@ mod measures;
 mod offers;
 mod operators;
 mod own_mesh;
+mod panel_boundary;
 mod panel_layout;
 mod presentation;
 mod presets;
